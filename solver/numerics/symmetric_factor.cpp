@@ -1,0 +1,189 @@
+#include "solver/numerics/symmetric_factor.hpp"
+
+#include <cholmod.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+namespace sunder::numerics {
+namespace {
+
+constexpr int nested_dissection_pays_from = 50'000;  // rows; measured, see the header
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+cholmod_sparse view_of(const Sparse& lower) {
+  cholmod_sparse view{};
+  view.nrow = static_cast<size_t>(lower.rows());
+  view.ncol = static_cast<size_t>(lower.cols());
+  view.nzmax = static_cast<size_t>(lower.nonZeros());
+  view.p = const_cast<int*>(lower.outerIndexPtr());
+  view.i = const_cast<int*>(lower.innerIndexPtr());
+  view.x = const_cast<double*>(lower.valuePtr());
+  view.stype = -1;
+  view.itype = CHOLMOD_INT;
+  view.xtype = CHOLMOD_REAL;
+  view.dtype = CHOLMOD_DOUBLE;
+  view.sorted = 1;
+  view.packed = 1;
+  return view;
+}
+
+/// The graph of the nodes: one row for every `block` rows.
+Sparse node_graph(const Sparse& lower, int block) {
+  const int nodes = static_cast<int>(lower.rows()) / block;
+  Sparse graph(nodes, nodes);
+  std::vector<int> starts(nodes + 1, 0), neighbours;
+  neighbours.reserve(static_cast<size_t>(lower.nonZeros()) / (block * block) + nodes);
+  std::vector<int> last_seen(nodes, -1);
+  for (int node = 0; node < nodes; ++node) {
+    for (int column = node * block; column < (node + 1) * block; ++column) {
+      for (Sparse::InnerIterator entry(lower, column); entry; ++entry) {
+        const int neighbour = static_cast<int>(entry.row()) / block;
+        if (neighbour >= node && last_seen[neighbour] != node) {
+          last_seen[neighbour] = node;
+          neighbours.push_back(neighbour);
+        }
+      }
+    }
+    std::sort(neighbours.begin() + starts[node], neighbours.end());
+    starts[node + 1] = static_cast<int>(neighbours.size());
+  }
+  graph.resizeNonZeros(static_cast<Eigen::Index>(neighbours.size()));
+  std::copy(starts.begin(), starts.end(), graph.outerIndexPtr());
+  std::copy(neighbours.begin(), neighbours.end(), graph.innerIndexPtr());
+  std::fill_n(graph.valuePtr(), neighbours.size(), 1.0);
+  return graph;
+}
+
+}  // namespace
+
+struct SymmetricFactor::Implementation {
+  cholmod_common common{};
+  cholmod_factor* factor = nullptr;
+  cholmod_dense *solution = nullptr, *work = nullptr, *half = nullptr;
+  int rows = 0;
+  FactorStatus status = FactorStatus::too_large;
+  int failed_row = -1;
+
+  Implementation() {
+    cholmod_start(&common);
+    common.supernodal = CHOLMOD_SUPERNODAL;
+    common.final_ll = 1;
+    common.print = 0;
+    common.quick_return_if_not_posdef = 1;
+    common.nmethods = 1;
+    common.postorder = 1;
+  }
+  ~Implementation() {
+    cholmod_free_dense(&solution, &common);
+    cholmod_free_dense(&work, &common);
+    cholmod_free_dense(&half, &common);
+    cholmod_free_factor(&factor, &common);
+    cholmod_finish(&common);
+  }
+  Implementation(const Implementation&) = delete;
+  Implementation& operator=(const Implementation&) = delete;
+
+  std::vector<int> fill_reducing_order(const Sparse& lower, const FactorOptions& options) {
+    const Sparse graph = options.block > 1 ? node_graph(lower, options.block) : Sparse();
+    cholmod_sparse view = view_of(options.block > 1 ? graph : lower);
+    const bool dissect = options.ordering == Ordering::nested_dissection ||
+                         (options.ordering == Ordering::automatic && lower.rows() >= nested_dissection_pays_from);
+    std::vector<int> nodes(view.nrow);
+    const int ordered = dissect ? cholmod_metis(&view, nullptr, 0, 1, nodes.data(), &common)
+                                : cholmod_amd(&view, nullptr, 0, nodes.data(), &common);
+    if (!ordered) std::iota(nodes.begin(), nodes.end(), 0);
+    std::vector<int> order;
+    order.reserve(static_cast<size_t>(rows));
+    for (const int node : nodes) {
+      for (int k = 0; k < options.block; ++k) order.push_back(node * options.block + k);
+    }
+    return order;
+  }
+
+  void analyse(const Sparse& lower, const FactorOptions& options) {
+    std::vector<int> order = fill_reducing_order(lower, options);
+    cholmod_sparse view = view_of(lower);
+    common.method[0].ordering = CHOLMOD_GIVEN;
+    factor = cholmod_analyze_p(&view, order.data(), nullptr, 0, &common);
+  }
+
+  void factorise(const Sparse& lower) {
+    failed_row = -1;
+    status = FactorStatus::too_large;
+    if (factor == nullptr) return;
+    cholmod_sparse view = view_of(lower);
+    const int done = cholmod_factorize(&view, factor, &common);
+    if (common.status == CHOLMOD_NOT_POSDEF || (done && factor->minor < factor->n)) {
+      status = FactorStatus::not_positive_definite;
+      failed_row = static_cast<const int*>(factor->Perm)[factor->minor];
+    } else if (done && common.status == CHOLMOD_OK) {
+      status = FactorStatus::factorised;
+    }
+  }
+
+  void solve(double* values, Eigen::Index columns) {
+    cholmod_dense right_side{};
+    right_side.nrow = static_cast<size_t>(rows);
+    right_side.ncol = static_cast<size_t>(columns);
+    right_side.nzmax = right_side.nrow * right_side.ncol;
+    right_side.d = right_side.nrow;
+    right_side.x = values;
+    right_side.xtype = CHOLMOD_REAL;
+    right_side.dtype = CHOLMOD_DOUBLE;
+    cholmod_solve2(CHOLMOD_A, factor, &right_side, nullptr, &solution, nullptr, &work, &half, &common);
+    std::copy_n(static_cast<const double*>(solution->x), right_side.nzmax, values);
+  }
+};
+
+SymmetricFactor::SymmetricFactor(const Sparse& lower, const FactorOptions& options)
+    : implementation_(std::make_unique<Implementation>()) {
+  if (lower.rows() != lower.cols()) throw std::invalid_argument("SymmetricFactor: the matrix is not square");
+  if (options.block < 1 || lower.rows() % options.block != 0) {
+    throw std::invalid_argument("SymmetricFactor: rows must be a multiple of block >= 1");
+  }
+  if (!lower.isCompressed()) throw std::invalid_argument("SymmetricFactor: the matrix is not compressed");
+  implementation_->rows = static_cast<int>(lower.rows());
+  implementation_->analyse(lower, options);
+  implementation_->factorise(lower);
+}
+
+SymmetricFactor::SymmetricFactor(SymmetricFactor&&) noexcept = default;
+SymmetricFactor& SymmetricFactor::operator=(SymmetricFactor&&) noexcept = default;
+SymmetricFactor::~SymmetricFactor() = default;
+
+void SymmetricFactor::refactorise(const Sparse& lower) {
+  implementation_->factorise(lower);
+}
+
+FactorStatus SymmetricFactor::status() const {
+  return implementation_->status;
+}
+int SymmetricFactor::failed_row() const {
+  return implementation_->failed_row;
+}
+int SymmetricFactor::rows() const {
+  return implementation_->rows;
+}
+
+double SymmetricFactor::pivot_ratio() const {
+  return cholmod_rcond(implementation_->factor, &implementation_->common);
+}
+
+long long SymmetricFactor::entries() const {
+  return implementation_->factor == nullptr ? 0 : static_cast<long long>(implementation_->common.lnz);
+}
+
+void SymmetricFactor::solve_in_place(Eigen::Ref<Eigen::MatrixXd> B) const {
+  if (B.outerStride() == B.rows()) {
+    implementation_->solve(B.data(), B.cols());
+  } else {
+    for (Eigen::Index column = 0; column < B.cols(); ++column) implementation_->solve(B.col(column).data(), 1);
+  }
+}
+
+}  // namespace sunder::numerics
