@@ -11,7 +11,8 @@
 namespace sunder::mesh {
 
 /// The nodes of one polygon. Edge e of order p holds the local nodes start_e … start_e + p (modulo the count where the
-/// boundary is closed), start_e being the sum of the orders before it. Within an edge the nodes are Gauss-Lobatto points.
+/// boundary is closed), start_e being the sum of the orders before it. Within an edge the nodes are Gauss-Lobatto
+/// points.
 struct NodalPolygon {
   std::span<const int> nodes;   ///< global node indices along the boundary, counter-clockwise
   std::span<const int> orders;  ///< one an edge; their sum is nodes.size() where closed, nodes.size() - 1 where open
@@ -37,8 +38,8 @@ class NodalMesh {
   std::vector<char> open_;
 };
 
-/// Places the nodes. Vertex i of the mesh becomes node i. `order(polygon, edge)` >= 1 is asked for every edge; an edge of
-/// two polygons takes the larger answer.
+/// Places the nodes. Vertex i of the mesh becomes node i. `order(polygon, edge)` >= 1 is asked for every edge; an edge
+/// of two polygons takes the larger answer.
 NodalMesh place_nodes(const PolygonMesh& mesh, const std::function<int(int polygon, int edge)>& order);
 
 }  // namespace sunder::mesh

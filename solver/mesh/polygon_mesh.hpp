@@ -19,17 +19,17 @@ using Edge = std::array<int, 2>;
 
 struct Polygon {
   std::vector<int> vertices;  ///< counter-clockwise; open: from the lower crack face's vertex to the upper one's
-  Point scaling_centre;       ///< sees the whole boundary (J_b > 0); at the crack tip where open
-  bool open = false;          ///< a crack polygon: its boundary is not closed, the faces run from both ends to the centre
-  int material = 0;           ///< index into the scene's materials
+  Point scaling_centre = Point::Zero();  ///< sees the whole boundary (J_b > 0); at the crack tip where open
+  bool open = false;  ///< a crack polygon: its boundary is not closed, the faces run from both ends to the centre
+  int material = 0;   ///< index into the scene's materials
 
   int edge_count() const { return static_cast<int>(vertices.size()) - (open ? 1 : 0); }
   Edge edge(int i) const { return {vertices[i], vertices[(i + 1) % vertices.size()]}; }
 };
 
 /// The two faces of one crack after cutting, from the mouth to the tip. Pair i of vertices starts at the same place;
-/// `lower` is on the right of the path, `upper` on its left, seen from mouth to tip. The last pair are the ends of the tip
-/// polygon's open boundary; the rest of the faces are its two side faces, which need no vertices.
+/// `lower` is on the right of the path, `upper` on its left, seen from mouth to tip. The last pair are the ends of the
+/// tip polygon's open boundary; the rest of the faces are its two side faces, which need no vertices.
 struct CrackFaces {
   std::vector<int> lower, upper;  ///< vertex indices, same length >= 1
   int tip_polygon = -1;           ///< index of the open polygon that holds the tip
