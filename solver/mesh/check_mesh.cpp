@@ -115,6 +115,7 @@ void check_cracks(const PolygonMesh& mesh) {
       throw MeshError(name + " has " + std::to_string(faces.lower.size()) + " lower and " +
                       std::to_string(faces.upper.size()) + " upper vertices; they must be paired, at least one pair");
     }
+    if (faces.tip_polygon == -1) continue;  // has reached a face
     if (faces.tip_polygon < 0 || faces.tip_polygon >= static_cast<int>(mesh.polygons.size()) ||
         !mesh.polygons[faces.tip_polygon].open) {
       throw MeshError(name + ": its tip polygon " + std::to_string(faces.tip_polygon) +

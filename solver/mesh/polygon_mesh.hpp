@@ -32,7 +32,7 @@ struct Polygon {
 /// tip polygon's open boundary; the rest of the faces are its two side faces, which need no vertices.
 struct CrackFaces {
   std::vector<int> lower, upper;  ///< vertex indices, same length >= 1
-  int tip_polygon = -1;           ///< index of the open polygon that holds the tip
+  int tip_polygon = -1;  ///< index of the open polygon that holds the tip; -1: has come out at a face, no tip left
 };
 
 struct PolygonMesh {
