@@ -19,3 +19,9 @@ add_test(NAME style/layers COMMAND ${SUNDER_PYTHON} ${PROJECT_SOURCE_DIR}/ci/che
 add_test(NAME style/check-layers-notices
          COMMAND ${SUNDER_PYTHON} -B -m unittest discover --start-directory ${PROJECT_SOURCE_DIR}/ci/tests --pattern *_test.py)
 set_tests_properties(style/layers style/check-layers-notices PROPERTIES LABELS "style;quick" TIMEOUT 60)
+
+# The report's tests open its page in headless Chromium.
+add_test(NAME report/tests
+         COMMAND ${SUNDER_PYTHON} -B -m unittest discover --start-directory reports/tests --top-level-directory . --pattern *_test.py
+         WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+set_tests_properties(report/tests PROPERTIES LABELS "report;quick" TIMEOUT 300)

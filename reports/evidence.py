@@ -1,0 +1,139 @@
+"""The verdict, the trust matrix and the planted faults: what the records prove, and what they leave open."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from reports import words
+from reports.records import HARMLESS
+
+# Every part the project is to cover, in the order of the report; a part without a case is shown as not built yet.
+FAMILIES = {
+    "patch": "Patch tests", "sif": "Stress intensity", "modal": "Free vibration", "stability": "Stability",
+    "dynamic": "Dynamics", "contact": "Contact", "crack-water": "Water in cracks", "reservoir": "Reservoir",
+    "foundation": "Foundation", "convolution": "Convolution", "propagation": "Crack growth", "koyna": "Koyna dam",
+}
+
+COLUMNS = (("exact", "exact"), ("high-precision", "high precision"), ("cross-code", "other code"), ("published", "pub­lished"),
+           ("order", "order"), ("invariant", "in­variant"), ("refusal", "refusal"), ("ladder", "ladder"), ("fault", "planted fault"))
+
+INDEPENDENT = ("exact", "high-precision", "cross-code")
+
+
+@dataclass(frozen=True)
+class Cell:
+    kind: str    # full, part, limit, none
+    text: str
+    words: str
+
+
+def column_of(check):
+    """The kind of evidence a check is; None for a pin, which tells change and proves nothing, and for the harness's own."""
+    if check.kind in ("pin", "contract", "ladder") or check.evidence == "self":
+        return None
+    return {"order": "order", "invariant": "invariant", "bound": "invariant", "refused": "refusal"}.get(check.kind, check.evidence)
+
+
+def gating(cases):
+    """The checks that people wrote and that can stop a build; the harness's own (parts, repeatability, ladder) not counted."""
+    return [check for case in cases for check in case.checks if check.gates and check.kind not in ("contract", "ladder")]
+
+
+def failed(cases):
+    return [(case, check) for case in cases for check in case.checks if check.gates and check.status not in HARMLESS]
+
+
+def _cell(good, total, excused, what):
+    if total == 0:
+        return Cell("none", "", f"no {what}")
+    if good == total:
+        return Cell("full", str(total), f"{total} of {total} {what}")
+    kind = "limit" if good + excused == total else "part"
+    return Cell(kind, f"{good}/{total}", f"{good} of {total} {what}" + (f", {excused} known limit" if excused else ""))
+
+
+def trust_matrix(cases):
+    """Rows of cells (None for a part without a case), columns as COLUMNS."""
+    rows = []
+    known = dict(FAMILIES)
+    for case in cases:
+        known.setdefault(case.family, case.family.replace("-", " ").capitalize())
+    for family, name in known.items():
+        members = [c for c in cases if c.family == family]
+        cells = []
+        for column, head in COLUMNS if members else ():
+            if column == "fault":
+                verdicts = [n.verdict for c in members for n in c.negatives]
+                cells.append(_cell(verdicts.count("killed"), len(verdicts), 0, "planted faults noticed"))
+                continue
+            if column == "ladder":
+                ladders = [c.status for c in members if c.ladder]
+                cells.append(_cell(ladders.count("pass"), len(ladders), ladders.count("known limit"), "ladders climbed as far as claimed"))
+                continue
+            found = [c.status for m in members for c in m.checks if column_of(c) == column and (c.gates or column == "published")]
+            cells.append(_cell(found.count("pass"), len(found), found.count("known limit"), "checks: " + head.replace("­", "")))
+        rows.append({"family": family, "name": name, "cells": cells})
+    return {"columns": COLUMNS, "rows": rows}
+
+
+def verdict(cases):
+    """One sentence: does it hold, how much of it is independent, would faults be noticed."""
+    checks, bad = gating(cases), failed(cases)
+    broken = [c for c in cases if c.status not in HARMLESS]
+    independent = sum(c.evidence in INDEPENDENT for c in checks)
+    faults = [n for c in cases for n in c.negatives]
+    noticed = sum(n.verdict == "killed" for n in faults)
+    share = f"{100 * independent // len(checks)} %" if checks else "none"
+    evidence = f"{share} of them against exact, high-precision or other codes' answers"
+    planted = f"; {noticed} of {words.count(len(faults), 'planted fault')} {'is' if noticed == 1 else 'are'} noticed" if faults else ""
+    if not bad and not broken and noticed == len(faults):
+        return {"good": True, "word": "Holds.", "sentence": f"All {words.count(len(checks), 'check')} of {words.count(len(cases), 'case')} "
+                f"pass, {evidence}{planted}."}
+    if bad or broken:
+        names = ", ".join(dict.fromkeys(c.title for c in broken))
+        names = names if len(broken) <= 3 else ", ".join(c.title for c in broken[:3]) + f" and {len(broken) - 3} more"
+        return {"good": False, "word": "Does not hold.", "sentence": f"{len(bad)} of {words.count(len(checks), 'check')} in "
+                f"{words.count(len(broken), 'case')} of {len(cases)} fail ({names}){planted}."}
+    return {"good": False, "word": "Not proven.", "sentence": f"All {words.count(len(checks), 'check')} of {words.count(len(cases), 'case')} pass, "
+            f"but only {noticed} of {words.count(len(faults), 'planted fault')} are noticed."}
+
+
+def facts(cases):
+    checks = gating(cases)
+    passing = [c for c in checks if c.status == "pass"]
+    independent = sum(c.evidence in INDEPENDENT for c in checks)
+    orders = [c for c in checks if c.kind == "order"]
+    ladders = [c for c in cases if c.ladder]
+    faults = {n.fault for c in cases for n in c.negatives}
+    noticed = {n.fault for c in cases for n in c.negatives if n.verdict == "killed"}
+    loose, tight = (sum(c.slack_word == w for c in checks) for w in ("loose", "tight"))
+    limits = sum(c.status == "known limit" for case in cases for c in case.checks)
+    return [
+        {"name": "cases", "value": len(cases), "note": f"{sum(c.status == 'pass' for c in cases)} pass"},
+        {"name": "gating checks", "value": len(checks), "note": f"{len(passing)} pass"},
+        {"name": "independent", "value": f"{100 * independent // len(checks) if checks else 0} %", "note": "of checks"},
+        {"name": "order gates", "value": len(orders), "note": f"{sum(c.status == 'pass' for c in orders)} pass"},
+        {"name": "ladders", "value": len(ladders), "note": f"{sum(c.ladder.first_failing >= len(c.settings) for c in ladders)} to the top"},
+        {"name": "faults noticed", "value": f"{len(noticed)}", "note": f"of {len(faults)}"},
+        {"name": "tolerances", "value": f"{loose}", "note": f"loose, {tight} tight"},
+        {"name": "known limits", "value": limits, "note": "excused"},
+    ]
+
+
+def kills(cases):
+    """The kill matrix: for each planted fault, the cases that planted it and the checks that turned red."""
+    rows, killing = {}, set()
+    for case in cases:
+        for n in case.negatives:
+            row = rows.setdefault(n.fault, {"fault": n.fault, "cases": [], "verdicts": []})
+            row["verdicts"].append(n.verdict)
+            row["cases"].append({"case": case, "red": ", ".join(n.red) or "none"})
+            killing |= {(case.id, name) for name in n.red}
+    for row in rows.values():
+        row["killed"] = all(v == "killed" for v in row["verdicts"])
+        row["verdict"] = next((v for v in row["verdicts"] if v != "killed"), "killed")
+    checks = {(case.id, c.name) for case in cases for c in case.checks if c.gates}
+    noticed = sum(r["killed"] for r in rows.values())
+    sentence = (f"Each fault is one wrong sign, factor or dropped term, built only into a test program. {noticed} of "
+                f"{words.count(len(rows), 'planted fault')} turn the checks red that must notice them; "
+                f"{len(killing & checks)} of {len(checks)} gating checks notice at least one.")
+    return {"rows": sorted(rows.values(), key=lambda r: r["fault"]), "words": sentence}

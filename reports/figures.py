@@ -1,0 +1,202 @@
+"""The figures, as SVG that goes into the page: same records, same bytes.
+
+Colours are those of the page's style sheet (`var(--…)`), so that a figure follows light and dark; text stays text and takes
+the page's font. Series differ in marker and colour, the palette is Okabe and Ito's.
+"""
+from __future__ import annotations
+
+import io
+import math
+import re
+from dataclasses import dataclass
+
+import matplotlib
+
+matplotlib.use("svg")
+import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter, NullLocator  # noqa: E402
+
+from reports import words  # noqa: E402
+from reports.front import Point, dominance_front  # noqa: E402
+
+INK, SOFT, RULE, PAPER = "#1b1f24", "#5b6470", "#d5d9de", "#fefefe"
+SERIES = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#7a7a1f", "#8c564b")
+MARKERS = ("o", "s", "^", "D", "v", "P", "X", "<")
+BAD = "#c0392b"
+VARIABLES = {INK: "ink", SOFT: "soft", RULE: "rule", PAPER: "paper", BAD: "bad",
+             **{colour: f"s{i + 1}" for i, colour in enumerate(SERIES)}}
+
+STYLE = {
+    "svg.hashsalt": "sunder", "svg.fonttype": "none", "font.family": "DejaVu Sans", "font.size": 8.5,
+    "text.color": INK, "axes.labelcolor": INK, "axes.edgecolor": SOFT, "xtick.color": SOFT, "ytick.color": SOFT,
+    "xtick.labelcolor": INK, "ytick.labelcolor": INK, "axes.linewidth": 0.6, "axes.spines.top": False, "axes.spines.right": False,
+    "axes.grid": True, "grid.color": RULE, "grid.linewidth": 0.5, "axes.axisbelow": True, "lines.linewidth": 1.3,
+    "lines.markersize": 4.2, "legend.frameon": False, "legend.fontsize": 8, "figure.facecolor": "none", "axes.facecolor": "none",
+    "xtick.major.width": 0.6, "ytick.major.width": 0.6, "xtick.major.size": 3, "ytick.major.size": 3,
+}
+SIZE = (4.8, 3.5)  # inches of 72 units: readable at the width of a phone
+
+
+@dataclass(frozen=True)
+class Figure:
+    key: str       # unique in the page
+    svg: str       # an <svg> element
+    caption: str   # what is seen, in a sentence
+
+
+class FigureError(RuntimeError):
+    """A figure that would show nothing."""
+
+
+def _element(figure, key, caption):
+    """The figure as an <svg> element for the page: no metadata, own ids, colours of the style sheet."""
+    text = io.StringIO()
+    figure.savefig(text, format="svg", metadata={"Date": None, "Creator": None, "Format": None, "Type": None})
+    plt.close(figure)
+    svg = text.getvalue()
+    svg = svg[svg.index("<svg"):]
+    svg = re.sub(r"<metadata>.*?</metadata>\s*", "", svg, flags=re.S)
+    svg = re.sub(r"<!--.*?-->\s*", "", svg, flags=re.S)
+    svg = re.sub(r'<svg [^>]*?(viewBox="[^"]*")[^>]*>', rf'<svg \1 class="figure" role="img" aria-label="{_attribute(caption)}">', svg, 1)
+    svg = re.sub(r'\bid="([^"]+)"', rf'id="{key}-\1"', svg)
+    svg = re.sub(r'(url\(|href=")#', rf"\1#{key}-", svg).replace("xlink:href", "href")
+    svg = re.sub(r"font: ([0-9.]+)px [^;\"]*", r"font-size: \1px", svg)
+    for colour, name in VARIABLES.items():
+        svg = svg.replace(colour, f"var(--{name})")
+    left = re.search(r"#[0-9a-f]{6}\b", svg)
+    if left:
+        raise FigureError(f"{key}: colour {left.group()} is not in the palette of the page")
+    return svg
+
+
+def standalone(figure):
+    """The figure as a file of its own, on white, with the light colours."""
+    svg = figure.svg
+    for colour, name in VARIABLES.items():
+        svg = svg.replace(f"var(--{name})", colour)
+    view = re.search(r'viewBox="0 0 ([0-9.]+) ([0-9.]+)"', svg)
+    width, height = (float(v) for v in view.groups())
+    svg = svg.replace('class="figure"', f'xmlns="http://www.w3.org/2000/svg" width="{2 * width:g}" height="{2 * height:g}" '
+                      'font-family="Inter, Helvetica, Arial, DejaVu Sans, sans-serif"', 1)
+    cut = svg.index(">") + 1
+    return f'<?xml version="1.0" encoding="utf-8"?>\n{svg[:cut]}\n<rect width="100%" height="100%" fill="#ffffff"/>{svg[cut:]}'
+
+
+def _attribute(text):
+    return text.replace("&", "&amp;").replace('"', "&quot;").replace("<", "&lt;")
+
+
+def _powers(axis):
+    axis.set_major_locator(LogLocator(numticks=9))
+    axis.set_major_formatter(FuncFormatter(lambda v, _: words.power_of_ten(round(math.log10(v)))))
+    axis.set_minor_locator(NullLocator())
+
+
+def _durations(axis):
+    low, high = axis.get_view_interval()
+    axis.set_major_locator(LogLocator(subs=(1.0,) if high / low > 30 else (1.0, 2.0, 5.0)))
+    axis.set_major_formatter(FuncFormatter(lambda v, _: words.seconds(v, 1)))
+    axis.set_minor_formatter(NullFormatter())
+    axis.set_minor_locator(NullLocator())
+
+
+def _axes(x, y, size=SIZE):
+    figure, axes = plt.subplots(figsize=size, layout="constrained")
+    axes.set_xlabel(x)
+    axes.set_ylabel(y)
+    return figure, axes
+
+
+def _legend(axes, columns):
+    """Below the axis title, outside the axes: matplotlib 3.6 makes room for it in a constrained layout."""
+    axes.legend(loc="upper center", bbox_to_anchor=(0.45, -0.15), ncols=columns, handlelength=1.6, columnspacing=1.4,
+                borderaxespad=0.2)
+
+
+def error_against_time(key, points, failed, quantity, floor=1e-16):
+    """Every setting's error over its CPU time, the dominance front, the default ringed, failed settings at the top."""
+    if not points:
+        raise FigureError(f"{key}: no setting has an error and a time")
+    shown = [Point(p.seconds, max(p.error, floor), p.series, p.label, p.standard) for p in points]
+    with plt.rc_context(STYLE):
+        figure, axes = _axes("CPU time", f"error of {quantity}", (SIZE[0], SIZE[1] + 0.35))
+        axes.set_xscale("log")
+        axes.set_yscale("log")
+        names = list(dict.fromkeys(p.series for p in shown))
+        front = dominance_front(shown)
+        axes.step([p.seconds for p in front], [p.error for p in front], where="post", color=SOFT, linewidth=4.5, alpha=0.22,
+                  solid_capstyle="round", label="front", zorder=1)
+        for i, name in enumerate(names):
+            line = sorted((p for p in shown if p.series == name), key=lambda p: p.seconds)
+            axes.plot([p.seconds for p in line], [p.error for p in line], color=SERIES[i % len(SERIES)],
+                      marker=MARKERS[i % len(MARKERS)], label=name or "settings", zorder=3)
+        for p in shown:
+            if p.standard:
+                axes.plot(p.seconds, p.error, "o", markersize=10, markerfacecolor="none", markeredgecolor=INK, markeredgewidth=1.1,
+                          linestyle="none", label="default", zorder=4)
+        if failed:
+            top = max(p.error for p in shown) * 3
+            axes.plot(failed, [top] * len(failed), "x", color=BAD, markersize=5.5, markeredgewidth=1.4, label="no answer", zorder=4)
+        _powers(axes.yaxis)
+        _durations(axes.xaxis)
+        _legend(axes, 3)
+        caption = f"Error of {quantity} against CPU time, {words.count(len(points), 'setting')}"
+        return Figure(key, _element(figure, key, caption), caption)
+
+
+def ladder(key, rungs, failing, quantity, axis_label, tolerance):
+    """The error of every rung under the tolerance, refusals hollow on the tolerance's line, the first failing rung marked.
+
+    `rungs`: (label, error or None where there is no answer) from the lowest up; `failing`: index of the rung that is neither
+    right nor refused by name, None where there is none."""
+    if not rungs:
+        raise FigureError(f"{key}: a ladder without a rung")
+    errors = [max(e, 1e-17) for _, e in rungs if e is not None and not math.isnan(e)]
+    with plt.rc_context(STYLE):
+        figure, axes = _axes(axis_label, f"error of {quantity}", (SIZE[0], 2.6))
+        axes.set_yscale("log")
+        if tolerance > 0:
+            axes.axhline(tolerance, color=SERIES[1], linewidth=1.1)
+            axes.annotate("tolerance", (0.005, tolerance), xycoords=("axes fraction", "data"), xytext=(0, 3),
+                          textcoords="offset points", color=SERIES[1], fontsize=8)
+        right = [(i, max(e, 1e-17)) for i, (_, e) in enumerate(rungs) if e is not None and not math.isnan(e)]
+        good = [(i, e) for i, e in right if i != failing]
+        axes.plot([i for i, _ in good], [e for _, e in good], "o-", color=SERIES[0])
+        base = tolerance if tolerance > 0 else max(errors, default=1.0)
+        refused = [i for i, (_, e) in enumerate(rungs) if e is None and i != failing]
+        if refused:
+            axes.plot(refused, [base] * len(refused), "s", markerfacecolor=PAPER, markeredgecolor=SOFT, markersize=5)
+            axes.annotate("refused by name", (refused[-1], base), xytext=(0, -12), textcoords="offset points", color=SOFT, fontsize=8,
+                          ha="right")
+        if failing is not None:
+            value = rungs[failing][1]
+            value = base if value is None or math.isnan(value) else max(value, 1e-17)
+            axes.plot([failing], [value], "X", color=BAD, markersize=7)
+            axes.annotate("first failing rung", (failing, value), xytext=(0, 7), textcoords="offset points", color=BAD, fontsize=8,
+                          ha="center")
+            axes.margins(y=0.18)
+        axes.set_xlim(-0.4, len(rungs) - 0.6)
+        step = max(1, math.ceil(len(rungs) / 9))
+        axes.set_xticks(range(0, len(rungs), step), [label for label, _ in rungs][::step])
+        _powers(axes.yaxis)
+        caption = f"Error of {quantity} over the rungs of the ladder ({axis_label}), {words.count(len(rungs), 'rung')}"
+        return Figure(key, _element(figure, key, caption), caption)
+
+
+def cost(key, series, x_label, caption):
+    """CPU time over size, log-log; `series`: name -> [(size, seconds)]."""
+    if not series or not all(series.values()):
+        raise FigureError(f"{key}: no measurement")
+    with plt.rc_context(STYLE):
+        figure, axes = _axes(x_label, "CPU time", (SIZE[0], SIZE[1] + 0.1))
+        axes.set_xscale("log")
+        axes.set_yscale("log")
+        sizes = sorted({x for line in series.values() for x, _ in line})
+        for i, (name, line) in enumerate(series.items()):
+            axes.plot([x for x, _ in sorted(line)], [y for _, y in sorted(line)], color=SERIES[i % len(SERIES)],
+                      marker=MARKERS[i % len(MARKERS)], label=name)
+        axes.set_xticks(sizes, [f"{x:g}" for x in sizes])
+        axes.xaxis.set_minor_locator(NullLocator())
+        _durations(axes.yaxis)
+        _legend(axes, 3)
+        return Figure(key, _element(figure, key, caption), caption)

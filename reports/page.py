@@ -1,0 +1,147 @@
+"""From records to the page: every view of the template, and the checks that nothing is missing."""
+from __future__ import annotations
+
+import pathlib
+import tomllib
+
+import jinja2
+
+from reports import evidence, studies, words
+from reports.front import LEVELS
+from reports.records import HARMLESS, STATUSES
+from reports.studies import LayoutError
+
+HERE = pathlib.Path(__file__).parent
+LARGEST_PAGE = 10_000_000  # bytes
+
+CONTENTS = (("verdict", "Verdict"), ("trust", "Trust matrix"), ("numbers", "Ten numbers"), ("run-time", "Error against run time"),
+            ("ladders", "Stability"), ("faults", "Planted faults"), ("costs", "Costs"), ("cases", "Cases"), ("limits", "Known limits"),
+            ("environment", "Environment"))
+
+
+def read_layout(path=HERE / "layout.toml"):
+    with path.open("rb") as file:
+        return tomllib.load(file)
+
+
+def _find(cases, identity, where):
+    for case in cases:
+        if case.id == identity:
+            return case
+    raise LayoutError(f"layout: {where}: no record of the case {identity!r}")
+
+
+def _number(wanted, cases):
+    case = _find(cases, wanted["case"], "number")
+    check = next((c for c in case.checks if c.name == wanted["check"]), None)
+    if check is None:
+        raise LayoutError(f"layout: number: {case.id} has no check {wanted['check']!r}; it has {', '.join(c.name for c in case.checks)}")
+    reference = next((r for r in case.references if r.name == check.reference_name), None)
+    source = f"{reference.kind}: {reference.source}" if reference else check.evidence
+    digits = wanted.get("digits", 6)
+    return {"case": case, "words": wanted["words"], "value": words.number(check.value, digits),
+            "reference": words.number(check.reference, digits), "error": words.error(check.error),
+            "tolerance": words.error(check.tolerance), "source": source}
+
+
+def _check_view(check):
+    compares = check.kind in ("value", "order", "pin", "invariant")
+    reason = ": ".join(part for part in (check.basis, check.reason) if part)
+    message = f". {check.message}" if check.message else ""
+    return {"name": check.name, "status": check.status, "gates": check.gates,
+            "evidence": check.evidence + (f" ({check.reference_name})" if check.reference_name else ""),
+            "value": words.number(check.value, 6) if check.kind != "refused" else "",
+            "reference": words.number(check.reference, 6) if compares else "", "error": words.error(check.error) if compares else "",
+            "tolerance": words.error(check.tolerance) if compares else "",
+            "slack": words.number(check.slack, 2) if compares and check.error > 0 else "", "mark": check.slack_word,
+            "reason": reason + message}
+
+
+def _reference_view(r):
+    text = f"{r.source}, {r.locator}" if r.locator else r.source
+    if r.uncertainty > 0:
+        text += f"; uncertainty {words.error(r.uncertainty)}" + (" of the value" if r.relative else f" {r.unit}")
+    return {"kind": r.kind, "name": r.name, "words": text}
+
+
+def _case_view(case):
+    keys = list(dict.fromkeys(k for s in case.settings for k, _ in s.keys))
+    errors = list(dict.fromkeys(n for s in case.settings for n in s.errors))
+    # One setting without a key says no more than the checks do.
+    shown = case.settings if keys else ()
+    orders = [{"name": c.name, "convergence": o.convergence, "order": words.number(o.order),
+               "pairwise": ", ".join(words.number(p) for p in o.pairwise), "extrapolated": words.number(o.extrapolated, 8),
+               "index": words.error(o.convergence_index), "levels": o.levels_used} for c in case.checks for o in c.orders]
+    text = " ".join([case.id, case.title, case.requirement, case.why, case.family, case.tier, case.status]
+                    + [c.name for c in case.checks] + [f"{r.kind} {r.source} {r.locator}" for r in case.references]
+                    + [n.fault for n in case.negatives]).lower()
+    footer = f"Version {case.version} · tier {case.tier} · {words.seconds(case.cpu_seconds)} CPU"
+    if case.peak_bytes:
+        footer += f" · {words.size(case.peak_bytes)} peak memory"
+    footer += f" · parts: {', '.join(case.modules)}" if case.modules else ""
+    return {
+        "case": case, "text": " ".join(text.split()), "checks": [_check_view(c) for c in case.checks],
+        "references": [_reference_view(r) for r in case.references], "orders": orders, "footer": footer,
+        "setting_keys": [k.rsplit(".", 1)[-1].replace("_", " ") for k in keys], "error_names": errors,
+        "settings": [{"cells": [dict(s.keys).get(k, "").strip('"') for k in keys], "standard": s.standard, "status": s.status,
+                      "message": s.message, "errors": [words.error(s.errors[n]) if n in s.errors else "" for n in errors],
+                      "cpu": words.seconds(s.cpu_seconds), "repeats": s.repeats, "dofs": s.dofs or "",
+                      "memory": words.size(s.peak_bytes) if s.peak_bytes else ""} for s in shown],
+    }
+
+
+def _families(cases):
+    names = {row["family"]: row["name"] for row in evidence.trust_matrix(cases)["rows"]}
+    return [{"family": family, "name": name, "cases": [_case_view(c) for c in cases if c.family == family]}
+            for family, name in names.items() if any(c.family == family for c in cases)]
+
+
+def _hero(layout, cases):
+    case = _find(cases, layout["hero"]["case"], "hero")
+    if not case.sweep.error:
+        raise LayoutError(f"layout: hero: {case.id} has no sweep with an error")
+    return {"title": layout["hero"]["title"], **studies.sweep(case, "hero")}
+
+
+def hero_figure(records, layout):
+    return _hero(layout, records.cases)["figure"]
+
+
+def view(records, layout):
+    """Everything the template shows, as plain values."""
+    cases = records.cases
+    hero, numbers = _hero(layout, cases), [_number(n, cases) for n in layout["number"]]
+    benchmark_figures = studies.benchmark_figures(layout, records.benchmarks)
+    sweeps = studies.sweeps(cases)
+    ladders = studies.ladders(cases)
+    for name, found in (("sweep", sweeps), ("ladder", ladders), ("planted fault", [n for c in cases for n in c.negatives])):
+        if not found:
+            raise LayoutError(f"records: no {name}; the report would have an empty section")
+    facts = dict(records.environment.facts)
+    headline = " · ".join(f"{name} {facts[name]}" for name in ("version", "commit") if name in facts)
+    return {
+        "contents": CONTENTS, "headline": headline, "verdict": evidence.verdict(cases), "facts": evidence.facts(cases),
+        "matrix": evidence.trust_matrix(cases), "hero": hero, "command": layout["command"],
+        "numbers": numbers, "sweeps": sweeps, "levels": [w for _, w in LEVELS],
+        "ladders": ladders, "kills": evidence.kills(cases),
+        "benchmark_figures": benchmark_figures, "benchmark_tables": studies.benchmark_tables(records.benchmarks), "families": _families(cases),
+        "statuses": [s for s in STATUSES if any(c.status == s for c in cases)],
+        "limits": [{"case": case, "check": c.name, "message": c.message} for case in cases for c in case.checks
+                   if c.status == "known limit"],
+        "standing_limits": layout.get("limits", []), "environment": records.environment.facts,
+    }
+
+
+def render(view_, printed=False):
+    """The page as one HTML text that asks nothing of any other file; `printed` opens every case."""
+    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "templates"), autoescape=True,
+                                     undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True)
+    environment.globals.update(
+        status_class=lambda s: "good" if s == "pass" else "warn" if s in HARMLESS else "bad",
+        status_mark=lambda s: "✓" if s == "pass" else "○" if s in HARMLESS else "✗")
+    page = environment.get_template("page.html.j2").render(
+        **view_, printed=printed, style=(HERE / "templates/style.css").read_text(encoding="utf-8"),
+        script=(HERE / "templates/script.js").read_text(encoding="utf-8"))
+    if len(page.encode()) > LARGEST_PAGE:
+        raise LayoutError(f"the page has {len(page.encode())} bytes, more than {LARGEST_PAGE}")
+    return page

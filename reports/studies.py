@@ -1,0 +1,121 @@
+"""Sweeps, ladders and benchmarks: their figures, and what the figures say in words and tables."""
+from __future__ import annotations
+
+import math
+import re
+
+from reports import figures, words
+from reports.front import ACCEPTED_FACTOR, LEVELS, Point, default_factor, dominance_front, time_to
+
+
+# A rung that ends like this was declined in words that the case accepts, or its case fails.
+DECLINED = ("refused", "not converged")
+
+
+class LayoutError(ValueError):
+    """The layout names a case, a check or a benchmark that the records do not hold."""
+
+
+def _series(case, setting):
+    keys = [(k, v) for k, v in setting.keys if k in case.sweep.series]
+    return words.setting(keys)
+
+
+def points_of(case):
+    """(points with an error and a time, CPU times of the settings that gave no answer)."""
+    points, failed = [], []
+    for s in case.settings:
+        error = s.errors.get(case.sweep.error, math.nan)
+        if s.status == "pass" and not math.isnan(error) and s.cpu_seconds > 0:
+            points.append(Point(s.cpu_seconds, error, _series(case, s), words.setting(s.keys), s.standard))
+        elif s.cpu_seconds > 0:
+            failed.append(s.cpu_seconds)
+    return points, failed
+
+
+def sweep(case, key=None):
+    """Figure, sentence and times of one sweep."""
+    points, failed = points_of(case)
+    figure = figures.error_against_time(key or f"sweep-{case.anchor}", points, failed, case.sweep.error)
+    front = dominance_front(points)
+    factor = default_factor(points)
+    best = front[-1]
+    text = f"The smallest error is {words.error(best.error)}, in {words.seconds(best.seconds)} ({best.label})."
+    if factor is None:
+        text += " No setting of this sweep is the program's default."
+    else:
+        default = next(p for p in points if p.standard)
+        text += (f" The default ({default.label}) reaches {words.error(default.error)} in {words.seconds(default.seconds)}: "
+                 + ("it is on the front." if factor <= 1.0 + 1e-12 else
+                    f"{words.factor(factor)} the time of the fastest setting that is as good"
+                    + ("." if factor <= ACCEPTED_FACTOR else f", above the {ACCEPTED_FACTOR:g} × that a default may cost unexplained.")))
+    if failed:
+        text += f" {words.count(len(failed), 'setting')} gave no answer."
+    times = [time_to(points, level) for level, _ in LEVELS]
+    return {"case": case, "figure": figure, "words": text, "factor": "no default" if factor is None else words.factor(factor),
+            "times": [{"seconds": words.seconds(t.seconds) if t else "not reached", "setting": t.label if t else ""} for t in times]}
+
+
+def sweeps(cases):
+    return [sweep(c) for c in cases if c.sweep.error and not c.ladder]
+
+
+def _rung(setting, key):
+    value = dict(setting.keys).get(key, "")
+    try:
+        return words.number(float(value))
+    except ValueError:
+        return value.strip('"')
+
+
+def ladder(case):
+    key = next(k for s in case.settings for k, _ in s.keys)
+    name = case.sweep.error or next(iter(next((s.errors for s in case.settings if s.errors), {"": 0})))
+    check = next((c for c in case.checks if c.name == name), None)
+    tolerance = check.tolerance if check else 0.0
+    rungs = [(_rung(s, key), s.errors.get(name) if s.status in ("pass", "wrong value") else None) for s in case.settings]
+    failing = case.ladder.first_failing
+    status = case.settings[failing].status if failing < len(rungs) else "pass"
+    wrong = failing < len(rungs) and status not in DECLINED
+    climbed = [e for _, e in rungs[:failing] if e is not None and e > 0]
+    axis = key.rsplit(".", 1)[-1].replace("_", " ")
+    return {
+        "case": case, "case_fails": case.status != "pass", "key": axis, "count": len(rungs), "first": rungs[0][0], "last": rungs[-1][0],
+        "failing": f"{rungs[failing][0]}: {'wrong value' if status == 'pass' else status}" if failing < len(rungs) else "",
+        "failing_is_wrong": wrong,
+        "refused": sum(s.status in DECLINED for s in case.settings),
+        "slack": words.number(tolerance / max(climbed), 2) if climbed and tolerance > 0 else "–",
+        "figure": figures.ladder(f"ladder-{case.anchor}", rungs, failing if wrong else None, name, axis, tolerance),
+    }
+
+
+def ladders(cases):
+    return [ladder(c) for c in cases if c.ladder]
+
+
+def benchmark_figures(layout, benchmarks):
+    """One figure a [[benchmark_figure]] of the layout: `pattern` has the groups `size` and `series`."""
+    found = []
+    for i, wanted in enumerate(layout.get("benchmark_figure", [])):
+        series = {}
+        for b in benchmarks:
+            match = re.fullmatch(wanted["pattern"], b.name)
+            if match:
+                groups = match.groupdict()
+                name = (groups.get("series") or wanted.get("series", "")).replace("_", " ")
+                series.setdefault(name, []).append((float(groups["size"]), b.cpu_seconds))
+        if not series:
+            raise LayoutError(f"layout: benchmark_figure {wanted['title']!r}: no benchmark fits {wanted['pattern']!r}")
+        found.append({"title": wanted["title"], "figure": figures.cost(f"cost-{i}", series, wanted["x"], wanted["caption"])})
+    return found
+
+
+def benchmark_tables(benchmarks):
+    tables = []
+    for program in sorted({b.program for b in benchmarks}):
+        rows = [b for b in benchmarks if b.program == program]
+        counters = list(dict.fromkeys(k for b in rows for k in b.counters))
+        tables.append({"name": program.removesuffix("_benchmark").replace("_", " "), "counters": [c.replace("_", " ") for c in counters],
+                       "rows": [{"name": b.name, "cpu": words.seconds(b.cpu_seconds), "wall": words.seconds(b.wall_seconds),
+                                 "counters": [words.number(b.counters[c]) if c in b.counters else "" for c in counters]} for b in rows]})
+    return tables
