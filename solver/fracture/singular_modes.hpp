@@ -36,7 +36,8 @@ struct SingularModes {
 };
 
 /// Of an open polygon. ‖A V - V S‖ <= 1e-12 ‖A‖ for both groups and both sides where the status is `converged`.
-[[nodiscard]] SingularModes singular_modes(const sbfem::Boundary& boundary, const sbfem::Coefficients& coefficients,
+[[nodiscard]] SingularModes singular_modes(const sbfem::Boundary& boundary, const material::Isotropic& material,
+                                           const sbfem::Coefficients& coefficients,
                                            const sbfem::PolygonSolution& solution);
 
 }  // namespace sunder::fracture

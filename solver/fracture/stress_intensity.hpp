@@ -24,11 +24,19 @@ struct StressIntensityFactors {
   double K_II = 0.0;  ///< [Pa √m], positive where the upper (left) face slides ahead of the lower one
 };
 
+/// How K_I and K_II are read from a displacement. All but the last converge with the order 2p of the boundary.
 enum class Extraction {
-  energy_projection,           ///< default: Williams' fields fitted in the energy of the polygon
-  crack_opening_displacement,  ///< cheapest
-  m_integral,                  ///< interaction integral on the boundary
-  pointwise_stress,            ///< the seed paper's; slow to converge, offered for comparison
+  reciprocity,        ///< default: Betti's theorem with Williams' exterior r^-½ fields; needs no exponents at all
+  energy_projection,  ///< Williams' r^½ fields fitted to the singular modes in the energy of the polygon
+  crack_opening_displacement,  ///< opening of the singular modes at the mouth
+  m_integral,                  ///< interaction integral of the singular modes on the boundary
+  pointwise_stress,            ///< the seed paper's; converges with order p only, offered for comparison
+};
+
+struct CrackTipOptions {
+  Extraction extraction = Extraction::reciprocity;
+  bool exponents =
+      true;  ///< also take the exponents near ½ (they tell the resolution); needed by all but `reciprocity`
 };
 
 enum class TipStatus {
@@ -40,21 +48,24 @@ enum class TipStatus {
 struct CrackTip {
   double direction = 0.0;                           ///< of the crack at its tip, from global x, counter-clockwise [rad]
   double face_length = 0.0;                         ///< from the tip to the polygon's mouth [m]
-  std::array<std::complex<double>, 2> exponents{};  ///< of the singular group, near ½ each; ½ tells the resolution
+  std::array<std::complex<double>, 2> exponents{};  ///< of the singular group, near ½ each; 0 where not asked for
   Eigen::Matrix3Xd of_displacement;  ///< F (3, 2n): {K_I, K_II, T} a boundary displacement; [Pa √m / m] and [Pa / m]
   TipStatus status = TipStatus::ready;
 
-  Eigen::Matrix2d
-      singular_exponents;          ///< S of the singular group, in the basis where F's first two rows are its shares
-  Eigen::Matrix2d unit_exponents;  ///< S of {T, rotation}
-  Eigen::RowVectorXd rotation;     ///< (2n): rotation of the unit group a boundary displacement [1/m]
+  // What `load_share` needs. By reciprocity the share is `dual` (f - p / (k + 1 - λ)); by modes (k + 1 - S)⁻¹ of the
+  // shares of E0⁻¹ f.
+  Extraction extraction = Extraction::reciprocity;
+  Eigen::Matrix3Xd dual;                 ///< (3, 2n) exterior fields r^-½ I, r^-½ II, r^-1 I, scaled to F
+  Eigen::Matrix2d singular_exponents;    ///< S of the singular group in the basis {K_I, K_II}
+  Eigen::Matrix2d unit_exponents;        ///< S of the unit group in the basis {T, rotation}
+  Eigen::RowVectorXd rotation;           ///< (2n): rotation of the unit group a boundary displacement [1/m]
   Eigen::RowVectorXd T_of_linear_field;  ///< (2n): σ_xx in local axes of a displacement ξ d at the tip [Pa / m]
 };
 
-/// Throws std::invalid_argument where the polygon is not open.
+/// Throws std::invalid_argument where the polygon is not open, or its two faces do not lie on each other.
 [[nodiscard]] CrackTip crack_tip(const sbfem::Boundary& boundary, const sbfem::Coefficients& coefficients,
                                  const sbfem::PolygonSolution& solution, const material::Isotropic& material,
-                                 Extraction extraction = Extraction::energy_projection);
+                                 const CrackTipOptions& options = {});
 
 /// g (3): what one radial load adds to F u_b for {K_I, K_II, T}. Linear in the load: for pressure that changes with
 /// time ask once for each power of a unit pressure.

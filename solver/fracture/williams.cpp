@@ -1,0 +1,111 @@
+#include "solver/fracture/williams.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace sunder::fracture {
+namespace {
+
+/// Amplitude of a_n (mode I) or b_n (mode II), from what the field is normalised to.
+double amplitude(const WilliamsField& field) {
+  const double sign = field.mode == Mode::I ? 1.0 : -1.0;
+  if (field.n == 1) return sign / std::sqrt(2.0 * std::numbers::pi);  // σ_yy = a / √r ahead of the tip
+  if (field.n == 2 && field.mode == Mode::I) return 0.25;             // σ_xx = 4 a
+  return 1.0;
+}
+
+/// (-1)ⁿ
+double parity(int n) {
+  return n % 2 == 0 ? 1.0 : -1.0;
+}
+
+}  // namespace
+
+TipFrame tip_frame(const sbfem::Boundary& boundary) {
+  if (!boundary.open) throw std::invalid_argument("tip_frame: the polygon is closed, accepted is an open one");
+  const Eigen::Vector2d lower = boundary.nodes.col(0), upper = boundary.nodes.col(boundary.nodes.cols() - 1);
+  const Eigen::Vector2d mouth = 0.5 * (lower + upper);
+  if (!((lower - upper).norm() <= 1e-6 * mouth.norm())) {
+    throw std::invalid_argument("tip_frame: the ends of the open boundary lie apart; accepted is one place for both");
+  }
+  const Eigen::Vector2d ahead = -mouth.normalized();
+  TipFrame frame{.direction = std::atan2(ahead.y(), ahead.x()), .to_global = {}, .face_length = mouth.norm()};
+  frame.to_global << ahead.x(), -ahead.y(), ahead.y(), ahead.x();
+  return frame;
+}
+
+Eigen::Matrix2Xd polar_nodes(const sbfem::Boundary& boundary, const TipFrame& frame) {
+  const Eigen::Matrix2Xd local = frame.to_global.transpose() * boundary.nodes;
+  Eigen::Matrix2Xd polar(2, local.cols());
+  for (Eigen::Index i = 0; i < local.cols(); ++i) {
+    polar.col(i) << local.col(i).norm(), std::atan2(local(1, i), local(0, i));
+  }
+  // The two ends of the boundary share a place: only their order tells the faces apart.
+  polar(1, 0) = -std::numbers::pi;
+  polar(1, local.cols() - 1) = std::numbers::pi;
+  return polar;
+}
+
+Eigen::Vector2d displacement(const WilliamsField& field, const material::Isotropic& material, double r, double theta) {
+  if (field.n == 2 && field.mode == Mode::II) return {-r * std::sin(theta), r * std::cos(theta)};
+  const double lambda = 0.5 * field.n, kappa = material::kolosov_constant(material), even = parity(field.n);
+  const double scale = amplitude(field) * std::pow(r, lambda) / (2.0 * material::shear_modulus(material));
+  const double c1 = std::cos(lambda * theta), s1 = std::sin(lambda * theta);
+  const double c2 = std::cos((lambda - 2.0) * theta), s2 = std::sin((lambda - 2.0) * theta);
+  if (field.mode == Mode::I) {
+    return scale *
+           Eigen::Vector2d((kappa + lambda + even) * c1 - lambda * c2, (kappa - lambda - even) * s1 + lambda * s2);
+  }
+  return scale *
+         Eigen::Vector2d(-(kappa + lambda - even) * s1 + lambda * s2, (kappa - lambda + even) * c1 + lambda * c2);
+}
+
+Eigen::Vector3d stress(const WilliamsField& field, double r, double theta) {
+  if (field.n == 2 && field.mode == Mode::II) return Eigen::Vector3d::Zero();
+  const double lambda = 0.5 * field.n, even = parity(field.n);
+  const double scale = amplitude(field) * lambda * std::pow(r, lambda - 1.0);
+  const double c1 = std::cos((lambda - 1.0) * theta), s1 = std::sin((lambda - 1.0) * theta);
+  const double c3 = std::cos((lambda - 3.0) * theta), s3 = std::sin((lambda - 3.0) * theta);
+  if (field.mode == Mode::I) {
+    return scale * Eigen::Vector3d((2.0 + lambda + even) * c1 - (lambda - 1.0) * c3,
+                                   (2.0 - lambda - even) * c1 + (lambda - 1.0) * c3,
+                                   (lambda - 1.0) * s3 - (lambda + even) * s1);
+  }
+  return scale * Eigen::Vector3d(-(2.0 + lambda - even) * s1 + (lambda - 1.0) * s3,
+                                 -(2.0 - lambda + even) * s1 - (lambda - 1.0) * s3,
+                                 (lambda - 1.0) * c3 - (lambda - even) * c1);
+}
+
+Eigen::Vector2d displacement_slope(const WilliamsField& field, const material::Isotropic& material, double r,
+                                   double theta) {
+  // ∂/∂x = cos θ ∂/∂r - (sin θ / r) ∂/∂θ, and r ∂u/∂r = λ u.
+  if (field.n == 2 && field.mode == Mode::II) return {0.0, 1.0};
+  const double lambda = 0.5 * field.n, kappa = material::kolosov_constant(material), even = parity(field.n);
+  const double scale = amplitude(field) * std::pow(r, lambda - 1.0) / (2.0 * material::shear_modulus(material));
+  const double c1 = std::cos(lambda * theta), s1 = std::sin(lambda * theta), l2 = lambda - 2.0;
+  const double c2 = std::cos(l2 * theta), s2 = std::sin(l2 * theta);
+  Eigen::Vector2d value, turn;  // f(θ) and f'(θ)
+  if (field.mode == Mode::I) {
+    const double a = kappa + lambda + even, b = kappa - lambda - even;
+    value << a * c1 - lambda * c2, b * s1 + lambda * s2;
+    turn << -a * lambda * s1 + lambda * l2 * s2, b * lambda * c1 + lambda * l2 * c2;
+  } else {
+    const double a = kappa + lambda - even, b = kappa - lambda + even;
+    value << -a * s1 + lambda * s2, b * c1 + lambda * c2;
+    turn << -a * lambda * c1 + lambda * l2 * c2, -b * lambda * s1 - lambda * l2 * s2;
+  }
+  return scale * (lambda * std::cos(theta) * value - std::sin(theta) * turn);
+}
+
+Eigen::VectorXd nodal_displacement(const WilliamsField& field, const material::Isotropic& material,
+                                   const sbfem::Boundary& boundary, const TipFrame& frame) {
+  const Eigen::Matrix2Xd polar = polar_nodes(boundary, frame);
+  Eigen::VectorXd nodal(2 * polar.cols());
+  for (Eigen::Index i = 0; i < polar.cols(); ++i) {
+    nodal.segment<2>(2 * i) = frame.to_global * displacement(field, material, polar(0, i), polar(1, i));
+  }
+  return nodal;
+}
+
+}  // namespace sunder::fracture
