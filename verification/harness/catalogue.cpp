@@ -1,0 +1,122 @@
+#include "verification/harness/catalogue.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <sstream>
+
+namespace sunder::verification {
+namespace {
+
+std::string short_number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+/// A cell of a Markdown table holds no bar and no line end.
+std::string cell(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '|')
+      result += "\\|";
+    else
+      result += c == '\n' ? ' ' : c;
+  }
+  return result;
+}
+
+std::string tolerance_text(const Check& check) {
+  switch (check.kind) {
+    case CheckKind::refused:
+      return "refuses: \"" + check.message + "\"";
+    case CheckKind::bound:
+      return (check.at_least ? "≥ " + short_number(*check.at_least) : "") +
+             (check.at_least && check.at_most ? ", " : "") + (check.at_most ? "≤ " + short_number(*check.at_most) : "");
+    case CheckKind::order: {
+      std::string orders;
+      for (const double expected : check.expected) orders += (orders.empty() ? "" : ", ") + short_number(expected);
+      return "order " + orders + " ± " + short_number(check.window);
+    }
+    case CheckKind::value:
+    case CheckKind::invariant:
+    case CheckKind::pin: {
+      const auto [least, greatest] = std::minmax_element(check.tolerance.begin(), check.tolerance.end());
+      const std::string range =
+          *least == *greatest ? short_number(*least) : short_number(*least) + " … " + short_number(*greatest);
+      return (check.kind == CheckKind::invariant ? "invariant" : std::string(word(check.norm))) + " " + range;
+    }
+  }
+  return "";
+}
+
+std::string source_text(const Case& verification_case, const Check& check) {
+  if (const Reference* reference = find_reference(verification_case, check.reference))
+    return std::string(word(reference->kind)) + ": " + reference->source + ", " + reference->locator;
+  if (!check.law.empty()) return "law: " + check.law;
+  if (check.kind == CheckKind::pin) return "own earlier value";
+  return "specification";
+}
+
+std::string figure_text(const CaseResult& result, const std::string& name) {
+  for (const CheckOutcome& check : result.checks)
+    if (check.name == name) {
+      if (check.kind == "order" && !check.orders.empty())
+        return std::string(word(check.status)) + ", " + short_number(check.value);
+      if (check.compared == 0 || check.kind == "refused" || check.kind == "bound")
+        return std::string(word(check.status));
+      return std::string(word(check.status)) + ", " + short_number(check.error);
+    }
+  return "";
+}
+
+}  // namespace
+
+std::string catalogue_page(const std::vector<Case>& cases, const std::vector<CaseResult>& results) {
+  std::map<std::string, std::vector<const Case*>> families;
+  std::size_t checks = 0, negatives = 0;
+  for (const Case& entry : cases) {
+    families[entry.family].push_back(&entry);
+    checks += static_cast<std::size_t>(
+        std::count_if(entry.checks.begin(), entry.checks.end(), [](const Check& c) { return c.gates; }));
+    negatives += entry.negatives.size();
+  }
+  std::ostringstream page;
+  page << "# The verification catalogue\n\n"
+          "Made by `sunder-verify catalogue --write` from the cases; a test holds all but its last column to them. How "
+          "a case is\n"
+          "written stands in [cases/README.md](cases/README.md).\n\n"
+       << cases.size() << " cases, " << checks << " gating checks, " << negatives << " planted faults.\n";
+  for (const auto& [family, members] : families) {
+    page << "\n## " << family
+         << "\n\n| case | claim | check | source | tolerance | last figure |\n|---|---|---|---|---|---|\n";
+    for (const Case* member : members) {
+      const auto result =
+          std::find_if(results.rbegin(), results.rend(), [&](const CaseResult& r) { return r.id == member->id; });
+      bool first = true;
+      for (const Check& check : member->checks) {
+        page << "| " << (first ? cell(member->id) : "") << " | " << (first ? cell(member->requirement) : "") << " | "
+             << cell(check.name) << (check.gates ? "" : " (informs)") << " | " << cell(source_text(*member, check))
+             << " | " << cell(tolerance_text(check)) << " | "
+             << (result == results.rend() ? "" : cell(figure_text(*result, check.name))) << " |\n";
+        first = false;
+      }
+    }
+  }
+  return page.str();
+}
+
+std::string claims_of(const std::string& page) {
+  std::istringstream stream(page);
+  std::string claims;
+  for (std::string line; std::getline(stream, line);) {
+    if (line.starts_with("| ") && line.ends_with(" |")) {
+      line.resize(line.size() - 2);
+      line.resize(line.rfind(" | ") == std::string::npos ? line.size() : line.rfind(" | "));
+    }
+    claims += line + "\n";
+  }
+  return claims;
+}
+
+}  // namespace sunder::verification

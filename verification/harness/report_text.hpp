@@ -1,0 +1,13 @@
+#pragma once
+/// A result in words, for people at a terminal.
+
+#include <string>
+
+#include "verification/harness/case_result.hpp"
+
+namespace sunder::verification {
+
+/// One line for the case, one for each check and each setting that did not run through, one for each planted fault.
+[[nodiscard]] std::string report_text(const CaseResult& result);
+
+}  // namespace sunder::verification

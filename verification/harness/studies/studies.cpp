@@ -1,0 +1,14 @@
+#include "verification/harness/studies/studies.hpp"
+
+namespace sunder::verification {
+
+const Studies& studies() {
+  static const Studies all{
+#ifdef SUNDER_HAS_SIMULATION
+      {"scene", run_scene},
+#endif
+  };
+  return all;
+}
+
+}  // namespace sunder::verification
