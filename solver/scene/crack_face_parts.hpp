@@ -1,0 +1,69 @@
+#pragma once
+/// The parts of a scene that act on the faces of cracks: contact, crack water, propagation, and the crack with a given
+/// motion that has no solid at all. All numbers SI. Defaults are the values of the paper (README), where it states
+/// them.
+
+#include <optional>
+#include <vector>
+
+namespace sunder::scene {
+
+enum class ContactModel {
+  penalty,  ///< springs across the faces, enlarged until the penetration is within its tolerance
+  exact,    ///< complementarity on the condensed faces
+};
+
+struct Contact {
+  ContactModel model = ContactModel::penalty;
+  double initial_stiffness = 1e8;       ///< [N/m³], > 0
+  double growth_factor = 10.0;          ///< [-], > 1
+  double penetration_tolerance = 1e-4;  ///< [m], > 0
+  double friction_coefficient = 0.0;    ///< [-], >= 0
+};
+
+enum class CrackWaterModel {
+  uniform,  ///< the pressure at the mouth along the whole crack
+  moving,   ///< flow with continuity and cavitation
+};
+
+struct CrackWater {
+  CrackWaterModel model = CrackWaterModel::moving;
+  double minimum_aperture = 0.03;   ///< [m], > 0
+  double relative_roughness = 0.5;  ///< k / (2w) [-], > 0, <= 0.5
+  double density = 1000.0;          ///< [kg/m³], > 0
+  double dynamic_viscosity = 1e-3;  ///< [Pa s], > 0
+};
+
+enum class PropagationCriterion { max_hoop_stress };
+
+struct Propagation {
+  double fracture_toughness;  ///< [Pa √m], > 0
+  double increment = 0.5;     ///< [m], > 0
+  PropagationCriterion criterion = PropagationCriterion::max_hoop_stress;
+};
+
+enum class Filling { full, empty };
+
+struct March {
+  double time_step;  ///< [s], > 0
+  double duration;   ///< [s], > 0
+  Filling initially = Filling::full;
+};
+
+enum class Tip { open, closed };
+enum class WaterQuadrature { exact, midpoint };
+
+/// A crack with given motion: `analysis = "crack-water"`.
+struct CrackLine {
+  double length;                          ///< [m], > 0
+  int segments;                           ///< >= 1
+  std::vector<double> aperture;           ///< [m], > 0; at both ends (linear between) or at each of segments + 1 nodes
+  std::vector<double> opening_rate{0.0};  ///< [m/s]; one value everywhere, both ends, or each node
+  double upstream_head = 0.0;             ///< [m of water], >= 0
+  std::optional<double> downstream_head;  ///< [m of water], >= 0; absent where the tip is closed
+  Tip tip = Tip::open;
+  std::optional<March> march;  ///< absent: the profile of one instant
+  WaterQuadrature quadrature = WaterQuadrature::exact;
+};
+
+}  // namespace sunder::scene

@@ -1,0 +1,157 @@
+// The tables of the dam's surroundings, of time and of output.
+#include "solver/scene/parts.hpp"
+
+namespace sunder::scene {
+namespace {
+
+template <class Value>
+using Choices = std::vector<std::pair<std::string, Value>>;
+
+Table<Reservoir> reservoir_table() {
+  return {
+      "reservoir",
+      "[reservoir]",
+      "water behind the dam",
+      {key(&Reservoir::boundary, {.name = "boundary", .meaning = "wet face; with `level`"}),
+       key(&Reservoir::level, {.name = "level", .unit = "m", .meaning = "y of the free surface"}),
+       key(&Reservoir::depth, {.name = "depth",
+                               .unit = "m",
+                               .range = positive(),
+                               .meaning = "analysis = \"response\", instead of boundary and level"}),
+       key(&Reservoir::density, {.name = "density", .unit = "kg/m³", .range = positive(), .meaning = "of water"}),
+       key(&Reservoir::sound_speed, {.name = "sound_speed", .unit = "m/s", .range = positive(), .meaning = "in water"}),
+       key(&Reservoir::reflection_coefficient, {.name = "reflection_coefficient",
+                                                .range = {.low = -1.0, .high = 1.0, .low_open = true},
+                                                .meaning = "of the bottom; 1: rigid"}),
+       choice(&Reservoir::model,
+              Choices<ReservoirModel>{{"hydrostatic", ReservoirModel::hydrostatic},
+                                      {"westergaard", ReservoirModel::westergaard},
+                                      {"incompressible", ReservoirModel::incompressible},
+                                      {"compressible", ReservoirModel::compressible}},
+              {.name = "model", .meaning = "what of the water is present"})},
+      [](const Node& node, Reservoir&, const std::string& path, Findings& findings) {
+        const bool face = node.has("boundary") && node.has("level");
+        const bool any = node.has("boundary") || node.has("level");
+        if (node.has("depth") ? any : !face)
+          findings.add(node.origin, path,
+                       "accepted: `boundary` and `level`, or, with analysis = \"response\", `depth` alone");
+      }};
+}
+
+Table<Foundation> foundation_table() {
+  return {
+      "foundation",
+      "[foundation]",
+      "elastic ground below a boundary",
+      {key(&Foundation::boundary, {.name = "boundary", .meaning = "on which the dam stands"}),
+       key(&Foundation::youngs_modulus, {.name = "youngs_modulus",
+                                         .unit = "Pa",
+                                         .range = positive(),
+                                         .required = true,
+                                         .meaning = "Young's modulus E"}),
+       key(&Foundation::poisson_ratio, {.name = "poisson_ratio",
+                                        .range = {.low = 0.0, .high = 0.5, .high_open = true},
+                                        .required = true,
+                                        .meaning = "Poisson's ratio ν"}),
+       key(&Foundation::density,
+           {.name = "density", .unit = "kg/m³", .range = at_least(0.0), .required = true, .meaning = "0: massless"}),
+       key(&Foundation::half_width, {.name = "half_width",
+                                     .unit = "m",
+                                     .range = positive(),
+                                     .meaning = "analysis = \"response\": of the strip, or radius of the disc"}),
+       choice(&Foundation::shape,
+              Choices<FoundationShape>{{"strip", FoundationShape::strip}, {"disc", FoundationShape::disc}},
+              {.name = "shape", .meaning = "analysis = \"response\": what moves"})},
+      {}};
+}
+
+Table<GroundMotion> ground_motion_table() {
+  return {"ground_motion",
+          "[ground_motion]",
+          "the earthquake",
+          {key(&GroundMotion::horizontal,
+               {.name = "horizontal",
+                .required = true,
+                .meaning = "table of time [s] and acceleration [m/s²], or a PEER .at2 record; relative to the scene"}),
+           key(&GroundMotion::vertical, {.name = "vertical", .meaning = "likewise"}),
+           key(&GroundMotion::horizontal_scale, {.name = "horizontal_scale", .meaning = "-1 reverses the component"}),
+           key(&GroundMotion::vertical_scale, {.name = "vertical_scale", .meaning = "likewise"})}};
+}
+
+void check_dynamics(const Node& node, Dynamics& dynamics, const std::string& path, Findings& findings) {
+  if (dynamics.duration < dynamics.time_step)
+    findings.add(node.find("duration")->origin, path + ".duration",
+                 shown(dynamics.duration) + " is shorter than one time step; accepted: at least time_step");
+  if (dynamics.damping_modes[0] >= dynamics.damping_modes[1])
+    findings.add(node.find("damping_modes")->origin, path + ".damping_modes", "accepted: two modes in ascending order");
+  const bool needed = dynamics.integrator == Integrator::generalised_alpha;
+  if (needed && !dynamics.spectral_radius)
+    findings.add(node.origin, path + ".spectral_radius", "is missing; the generalised-alpha integrator needs it");
+  if (dynamics.integrator == Integrator::newmark && dynamics.spectral_radius)
+    findings.add(node.find("spectral_radius")->origin, path + ".spectral_radius", "the newmark integrator has none");
+}
+
+Table<Dynamics> dynamics_table() {
+  return {"dynamics",
+          "[dynamics]",
+          "analysis = \"dynamic\": integration in time",
+          {key(&Dynamics::time_step,
+               {.name = "time_step", .unit = "s", .range = positive(), .required = true, .meaning = "time step"}),
+           key(&Dynamics::duration,
+               {.name = "duration", .unit = "s", .range = positive(), .required = true, .meaning = "of the history"}),
+           choice(&Dynamics::integrator,
+                  Choices<Integrator>{{"newmark", Integrator::newmark},
+                                      {"hht-alpha", Integrator::hht_alpha},
+                                      {"generalised-alpha", Integrator::generalised_alpha}},
+                  {.name = "integrator", .meaning = "time integrator"}),
+           key(&Dynamics::spectral_radius, {.name = "spectral_radius",
+                                            .range = between(0.0, 1.0),
+                                            .meaning = "at infinite frequency, of the alpha integrators"}),
+           key(&Dynamics::damping_ratio, {.name = "damping_ratio",
+                                          .range = {.low = 0.0, .high = 1.0, .high_open = true},
+                                          .meaning = "Rayleigh damping, matched at damping_modes"}),
+           key(&Dynamics::damping_modes,
+               {.name = "damping_modes", .range = at_least(1), .meaning = "counted from 1, ascending"})},
+          check_dynamics};
+}
+
+Table<Response> response_table() {
+  return {"response",
+          "[response]",
+          "analysis = \"response\": an unbounded domain alone",
+          {key(&Response::frequencies,
+               {.name = "frequencies", .unit = "rad/s", .range = at_least(0.0), .meaning = "samples in frequency"}),
+           key(&Response::times, {.name = "times",
+                                  .unit = "s",
+                                  .range = at_least(0.0),
+                                  .meaning = "samples of the acceleration unit-impulse response"}),
+           key(&Response::face_elements, {.name = "face_elements",
+                                          .range = at_least(1),
+                                          .meaning = "of the face; absent: the analytic path where there is one"}),
+           key(&Response::face_order, {.name = "face_order", .range = between(1, 64), .meaning = "order of each"})},
+          [](const Node& node, Response& response, const std::string& path, Findings& findings) {
+            if (response.frequencies.empty() && response.times.empty())
+              findings.add(node.origin, path, "asks for nothing; accepted: `frequencies`, `times` or both");
+          }};
+}
+
+Table<Output> output_table() {
+  return {"output",
+          "[output]",
+          "fields for pictures; absent: the summary and the history only",
+          {key(&Output::fields_every,
+               {.name = "fields_every", .range = at_least(0), .meaning = "steps between field snapshots; 0: none"})}};
+}
+
+}  // namespace
+
+std::vector<Part> shaking_parts() {
+  return {one_part<Reservoir>(&Scene::reservoir, reservoir_table()),
+          one_part<Foundation>(&Scene::foundation, foundation_table()),
+          one_part<GroundMotion>(&Scene::ground_motion, ground_motion_table()),
+          one_part<Dynamics>(&Scene::dynamics, dynamics_table()),
+          one_part<Response>(&Scene::response, response_table()),
+          one_part<Output>(&Scene::output, output_table())};
+}
+
+}  // namespace sunder::scene

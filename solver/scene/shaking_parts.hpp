@@ -1,0 +1,68 @@
+#pragma once
+/// The parts of a scene around the dam and in time: reservoir, foundation, ground motion, time integration, the
+/// response of an unbounded domain alone, and the field output. All numbers SI.
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sunder::scene {
+
+enum class ReservoirModel { hydrostatic, westergaard, incompressible, compressible };
+
+struct Reservoir {
+  std::string boundary;                  ///< wet face; empty where `depth` is given
+  std::optional<double> level;           ///< y of the free surface [m]
+  std::optional<double> depth;           ///< [m], > 0: analysis = "response", instead of boundary and level
+  double density = 1000.0;               ///< [kg/m³], > 0
+  double sound_speed = 1440.0;           ///< [m/s], > 0
+  double reflection_coefficient = 0.75;  ///< of the bottom [-], > -1, <= 1 (rigid)
+  ReservoirModel model = ReservoirModel::compressible;
+};
+
+enum class FoundationShape {
+  strip,  ///< rigid strip on the half-plane
+  disc,   ///< rigid disc in the full plane
+};
+
+struct Foundation {
+  std::string boundary;              ///< empty where analysis = "response"
+  double youngs_modulus;             ///< [Pa], > 0
+  double poisson_ratio;              ///< [-], >= 0, < 0.5
+  double density;                    ///< [kg/m³], >= 0; 0: massless
+  std::optional<double> half_width;  ///< of the strip, or radius of the disc [m], > 0: analysis = "response"
+  FoundationShape shape = FoundationShape::strip;
+};
+
+struct GroundMotion {
+  std::filesystem::path horizontal;               ///< table of time [s] and acceleration [m/s²]
+  std::optional<std::filesystem::path> vertical;  ///< likewise
+  double horizontal_scale = 1.0;                  ///< [-]; -1 reverses the component
+  double vertical_scale = 1.0;                    ///< [-]
+};
+
+enum class Integrator { newmark, hht_alpha, generalised_alpha };
+
+struct Dynamics {
+  double time_step;  ///< [s], > 0
+  double duration;   ///< [s], > 0
+  Integrator integrator = Integrator::newmark;
+  std::optional<double> spectral_radius;   ///< at infinite frequency [-], 0 … 1; needed by generalised-alpha only
+  double damping_ratio = 0.05;             ///< Rayleigh damping at both `damping_modes` [-], >= 0, < 1
+  std::array<int, 2> damping_modes{1, 2};  ///< counted from 1, ascending
+};
+
+struct Response {
+  std::vector<double> frequencies;   ///< [rad/s], >= 0
+  std::vector<double> times;         ///< [s], >= 0
+  std::optional<int> face_elements;  ///< >= 1; absent: the analytic path where there is one
+  int face_order = 2;                ///< 1 … 64
+};
+
+struct Output {
+  int fields_every = 0;  ///< steps between field snapshots; 0: none
+};
+
+}  // namespace sunder::scene

@@ -1,0 +1,31 @@
+#pragma once
+/// What the reader checks and the program cannot run yet. Whoever builds a part removes its line here, and nothing
+/// else. Private to this module.
+
+#include <array>
+#include <string_view>
+
+#include "solver/scene/scene.hpp"
+
+namespace sunder::scene {
+
+inline constexpr std::array unbuilt_tables = {
+    std::string_view("reservoir"),      //
+    std::string_view("foundation"),     //
+    std::string_view("contact"),        //
+    std::string_view("crack_water"),    //
+    std::string_view("propagation"),    //
+    std::string_view("ground_motion"),  //
+    std::string_view("dynamics"),       //
+    std::string_view("crack_line"),     //
+    std::string_view("response"),       //
+    std::string_view("output"),         //
+};
+
+inline constexpr std::array unbuilt_analyses = {
+    Analysis::dynamic,
+    Analysis::crack_water,
+    Analysis::response,
+};
+
+}  // namespace sunder::scene
