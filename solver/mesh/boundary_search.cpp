@@ -7,6 +7,7 @@
 
 #include "solver/mesh/mesh_error.hpp"
 #include "solver/mesh/outline.hpp"
+#include "solver/mesh/segments.hpp"
 #include "solver/mesh/words.hpp"
 
 namespace sunder::mesh {
@@ -91,10 +92,6 @@ std::vector<int> paired_places(const PolygonMesh& mesh) {
   }
   for (std::size_t v = 0; v < root.size(); ++v) root[v] = find(static_cast<int>(v));
   return root;
-}
-
-double twice_area(const Point& a, const Point& b, const Point& c) {
-  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
 std::string words(const PolygonMesh& mesh, int v) {

@@ -6,6 +6,7 @@
 
 #include "solver/mesh/mesh_error.hpp"
 #include "solver/mesh/polygon_geometry.hpp"
+#include "solver/mesh/segments.hpp"
 #include "solver/mesh/words.hpp"
 
 namespace sunder::mesh {
@@ -26,28 +27,6 @@ std::vector<Line> lines_of(const Outline& outline) {
     edge += static_cast<int>(outline.holes[h].size());
   }
   return lines;
-}
-
-double distance_to_segment(const Point& p, const Point& a, const Point& b) {
-  const Point along = b - a;
-  const double t = std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (p - a - t * along).norm();
-}
-
-double side_of(const Point& p, const Point& a, const Point& b) {
-  return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
-}
-
-bool segments_meet(const Point& a, const Point& b, const Point& c, const Point& d, double tolerance) {
-  if (std::max(a.x(), b.x()) + tolerance < std::min(c.x(), d.x()) ||
-      std::max(c.x(), d.x()) + tolerance < std::min(a.x(), b.x()) ||
-      std::max(a.y(), b.y()) + tolerance < std::min(c.y(), d.y()) ||
-      std::max(c.y(), d.y()) + tolerance < std::min(a.y(), b.y())) {
-    return false;
-  }
-  if (side_of(a, c, d) * side_of(b, c, d) < 0.0 && side_of(c, a, b) * side_of(d, a, b) < 0.0) return true;
-  return std::min({distance_to_segment(a, c, d), distance_to_segment(b, c, d), distance_to_segment(c, a, b),
-                   distance_to_segment(d, a, b)}) <= tolerance;
 }
 
 void check_vertices(const Line& line, double tolerance) {
@@ -103,17 +82,6 @@ void check_crossings(const std::vector<Line>& lines, double tolerance) {
       }
     }
   }
-}
-
-bool inside(const Point& p, const std::vector<Point>& line) {
-  bool in = false;
-  for (std::size_t i = 0, j = line.size() - 1; i < line.size(); j = i++) {
-    const Point &a = line[i], &b = line[j];
-    if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()) + a.x()) {
-      in = !in;
-    }
-  }
-  return in;
 }
 
 void check_senses(const Outline& outline, const std::vector<Line>& lines, double size) {

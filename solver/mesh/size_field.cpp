@@ -20,27 +20,30 @@ double distance_to_path(const Point& x, const std::vector<Point>& path) {
   return least;
 }
 
-/// Knots of a piecewise-linear model of s -> ∫ ds / size. The field changes by at most growth per distance, so between
-/// knots it changes by a tenth at most and no refinement falls through.
-void sample(const Point& a, const Point& b, const SizeField& field, double s0, double s1, std::vector<double>& knots) {
+/// Calls add(s1, part) for successive pieces of the segment, on each of which the size changes by a tenth at most; part
+/// is ∫ ds / size over the piece, by the trapezoidal rule.
+template <class Function>
+void integrate(const Point& a, const Point& b, const SizeField& field, double s0, double s1, const Function& add) {
   const double length = (b - a).norm() * (s1 - s0), middle = 0.5 * (s0 + s1);
-  if (length * field.growth > 0.1 * field.at((1.0 - middle) * a + middle * b) && s0 < middle && middle < s1) {
-    sample(a, b, field, s0, middle, knots);
-    sample(a, b, field, middle, s1, knots);
+  const auto at = [&](double s) -> Point { return (1.0 - s) * a + s * b; };
+  const Point centre = at(middle);
+  if (field.at(centre, 0.5 * length) > 1.1 * field.at(centre, -0.5 * length) && s0 < middle && middle < s1) {
+    integrate(a, b, field, s0, middle, add);
+    integrate(a, b, field, middle, s1, add);
   } else {
-    knots.push_back(s1);
+    add(s1, 0.5 * length * (1.0 / field.at(at(s0)) + 1.0 / field.at(at(s1))));
   }
 }
 
 }  // namespace
 
-double SizeField::at(const Point& x) const {
+double SizeField::at(const Point& x, double reach) const {
   double least = size;
   for (const Refinement& r : refinements) {
-    least = std::min(least, r.size + growth * std::max(0.0, (x - r.centre).norm() - r.radius));
+    least = std::min(least, r.size + growth * std::max(0.0, (x - r.centre).norm() + reach - r.radius));
   }
   for (const LineRefinement& l : lines) {
-    least = std::min(least, l.size + growth * std::max(0.0, distance_to_path(x, l.path) - l.radius));
+    least = std::min(least, l.size + growth * std::max(0.0, distance_to_path(x, l.path) + reach - l.radius));
   }
   return least;
 }
@@ -64,28 +67,31 @@ void SizeField::check() const {
   }
 }
 
+SizeField scaled(SizeField field, double factor) {
+  field.size *= factor;
+  for (Refinement& r : field.refinements) r.size *= factor;
+  for (LineRefinement& l : field.lines) l.size *= factor;
+  return field;
+}
+
+double pieces(const Point& a, const Point& b, const SizeField& field) {
+  double sum = 0.0;
+  integrate(a, b, field, 0.0, 1.0, [&](double, double part) { sum += part; });
+  return sum;
+}
+
 std::vector<double> division(const Point& a, const Point& b, const SizeField& field) {
-  const double length = (b - a).norm();
-  if (field.refinements.empty() && field.lines.empty()) {
-    const int pieces =
-        std::isfinite(field.size) ? std::max(1, static_cast<int>(std::ceil(length / field.size - 1e-9))) : 1;
-    std::vector<double> t;
-    for (int k = 1; k < pieces; ++k) t.push_back(static_cast<double>(k) / pieces);
-    return t;
-  }
-  std::vector<double> knots{0.0};
-  sample(a, b, field, 0.0, 1.0, knots);
-  std::vector<double> weight{0.0};  // ∫ ds / size up to each knot, trapezoidal rule
-  const auto density = [&](double s) { return length / field.at((1.0 - s) * a + s * b); };
-  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
-    weight.push_back(weight.back() + (knots[i + 1] - knots[i]) * 0.5 * (density(knots[i]) + density(knots[i + 1])));
-  }
-  const int pieces = std::max(1, static_cast<int>(std::ceil(weight.back() - 1e-9)));
+  std::vector<double> knots{0.0}, weight{0.0};  // ∫ ds / size up to each knot
+  integrate(a, b, field, 0.0, 1.0, [&](double s, double part) {
+    knots.push_back(s);
+    weight.push_back(weight.back() + part);
+  });
+  const int count = std::max(1, static_cast<int>(std::ceil(weight.back() - 1e-9)));
   std::vector<double> t;
   std::size_t i = 0;
-  for (int k = 1; k < pieces; ++k) {
-    const double target = weight.back() * k / pieces;
-    while (weight[i + 1] < target) ++i;
+  for (int k = 1; k < count; ++k) {
+    const double target = weight.back() * k / count;
+    while (i + 2 < weight.size() && weight[i + 1] < target) ++i;
     t.push_back(knots[i] + (knots[i + 1] - knots[i]) * (target - weight[i]) / (weight[i + 1] - weight[i]));
   }
   return t;

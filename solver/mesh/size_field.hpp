@@ -29,12 +29,19 @@ struct SizeField {
   std::vector<LineRefinement> lines = {};
   double growth = 0.3;  ///< increase of the size per distance, > 0
 
-  /// min(size, refinement size + growth · max(0, distance - radius)) over all refinements [m].
-  double at(const Point& x) const;
+  /// min(size, refinement size + growth · max(0, distance - radius)) over all refinements [m]. Within `reach` of x the
+  /// size lies between at(x, -reach) and at(x, reach).
+  double at(const Point& x, double reach = 0.0) const;
 
   /// Throws std::invalid_argument unless all sizes and `growth` are positive and the radii >= 0.
   void check() const;
 };
+
+/// All sizes times the factor, > 0; radii, places and growth stay.
+SizeField scaled(SizeField field, double factor);
+
+/// ∫ ds / size along the segment a b: the number of pieces it wants [-].
+double pieces(const Point& a, const Point& b, const SizeField& field);
 
 /// Parameters 0 < t_1 < … < 1 that divide the segment a b into pieces that follow the field: equal parts of ∫ ds /
 /// size, as few as keep every piece's part <= 1. Dividing b a gives the same places to round-off. Close to a refinement
