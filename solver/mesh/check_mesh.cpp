@@ -206,8 +206,8 @@ void check_mesh(const PolygonMesh& mesh) {
   const std::vector<Edge> boundary = boundary_edges(table);
   check_names(mesh, boundary);
   check_polygon_places(mesh, place_tolerance(mesh.vertices));
-  check_boundary_places(mesh, boundary);
   check_turns(mesh, table);
+  check_boundary_places(mesh, boundary);
 }
 
 void orient_boundaries(PolygonMesh& mesh) {
