@@ -1,0 +1,207 @@
+/// The pressure along the crack once the wet regions and their fluxes are known, and what is reported of it.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solver/crackwater/lanes.hpp"
+#include "solver/crackwater/pressure_profile.hpp"
+#include "solver/crackwater/segment_pieces.hpp"
+#include "solver/numerics/planted_fault.hpp"
+
+namespace sunder::crackwater {
+
+using numerics::planted_fault;
+
+namespace {
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+}  // namespace
+
+void PressureSolver::place(const Region& region) {
+  const double end_pressure = lay(region, region.constant, 1.0 - region.share);
+  if (region.share > 0.0) {
+    const double beyond = lay(region, region.constant_beyond, region.share);
+    const double mixed = (1.0 - region.share) * end_pressure + region.share * beyond;
+    if (region.to_mouth) profile_.residual = std::abs(mixed - downstream_);
+  }
+  regions_.push_back(region);
+}
+
+/// y where friction and weight balance inside an inclined segment, so that p has an extremum there; NaN where it has none.
+double PressureSolver::stationary_point(int i, double c) const {
+  const double rise = (table_.weight(i + 1) - table_.weight(i)) / table_.length(i);
+  if (rise == 0.0 || table_.flat()) return nan;
+  const Segment segment = table_.segment(i);
+  const auto balance = [&](double y) {
+    const double w = aperture(segment, y);
+    return resistance(table_.law(), flux(segment, c, y)) + rise * w * w * w;
+  };
+  double low = -1.0, high = 1.0;
+  const bool falls = balance(low) > 0.0;
+  if (falls == (balance(high) > 0.0)) return nan;
+  for (int step = 0; step < 60; ++step) {
+    const double middle = 0.5 * (low + high);
+    ((balance(middle) > 0.0) == falls ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+/// A stretch of one segment, cut where the flux turns or changes regime.
+void PressureSolver::lay_cut(int i, double from, double to, double c, double share, double& pressure) {
+  const std::size_t k = static_cast<std::size_t>(i);
+  const Pieces pieces = cut(table_.segment(i), table_.law(), c, from, to, stationary_point(i, c));
+  const double half = 0.5 * table_.length(i), rise = table_.weight(i + 1) - table_.weight(i);
+  double force = 0.0, moment = 0.0;  // about the segment's first node
+  for (int j = 0; j < pieces.count; ++j) {
+    const Piece& piece = pieces.piece[static_cast<std::size_t>(j)];
+    const double length = half * (piece.end - piece.start), offset = half * (1.0 + piece.start);
+    const double weight = 0.5 * rise * (piece.end - piece.start);
+    const double first = 0.5 * pressure * length - piece.to_first - weight * length / 6.0;
+    const double last = 0.5 * pressure * length - piece.to_last - weight * length / 3.0;
+    force += first + last;
+    moment += offset * (first + last) + length * last;
+    pressure -= piece.loss + weight;
+    magnitude_ += std::abs(piece.loss) + std::abs(weight);
+    lowest_pressure_ = std::min(lowest_pressure_, pressure);
+    if (pressure > profile_.peak_pressure) {
+      profile_.peak_pressure = pressure;
+      profile_.peak_position = table_.position(i) + half * (1.0 + piece.end);
+    }
+  }
+  const double at_last = moment / table_.length(i);
+  profile_.nodal_force[k] += share * (force - at_last);
+  profile_.nodal_force[k + 1] += share * at_last;
+}
+
+/// Adds `share` of the profile of one constant; returns the pressure at the region's end.
+double PressureSolver::lay(const Region& region, double c, double share) {
+  PressureProfile& out = profile_;
+  double p = region.start_pressure;
+  magnitude_ = std::max(magnitude_, upstream_ + downstream_);
+  if (region.start.y == -1.0) {
+    out.pressure[static_cast<std::size_t>(region.start.segment)] += share * p;
+    if (p > out.peak_pressure) {
+      out.peak_pressure = p;
+      out.peak_position = table_.position(region.start.segment);
+    }
+  }
+  int first = region.start.segment;
+  const bool inside = region.start.segment == region.end.segment;
+  if (region.start.y > -1.0 || (inside && region.end.y < 1.0)) {
+    const double to = inside ? region.end.y : 1.0;
+    lay_cut(first, region.start.y, to, c, share, p);
+    ++first;
+    if (to == 1.0) out.pressure[static_cast<std::size_t>(first)] += share * p;
+    if (inside) return p;
+  }
+  const int last = region.end.y == 1.0 ? region.end.segment + 1 : region.end.segment;
+  table_.losses(c, first, last, loss_, to_first_, to_last_);
+  double magnitude = magnitude_, lowest = lowest_pressure_;
+  for (int i = first; i < last; ++i) {
+    const std::size_t k = static_cast<std::size_t>(i);
+    if (table_.may_turn(i, c) || (table_.inclined() && !std::isnan(stationary_point(i, c)))) {
+      magnitude_ = magnitude;
+      lowest_pressure_ = lowest;
+      lay_cut(i, -1.0, 1.0, c, share, p);
+      magnitude = magnitude_;
+      lowest = lowest_pressure_;
+    } else {
+      const double h = table_.length(i), weight = table_.weight(i + 1) - table_.weight(i);
+      out.nodal_force[k] += share * (0.5 * p * h - to_first_[k] - weight * h / 6.0);
+      out.nodal_force[k + 1] += share * (0.5 * p * h - to_last_[k] - weight * h / 3.0);
+      p -= loss_[k] + weight;
+      magnitude += std::abs(loss_[k]) + std::abs(weight);
+      lowest = std::min(lowest, p);
+    }
+    out.pressure[k + 1] += share * p;
+    if (p > out.peak_pressure) {
+      out.peak_pressure = p;
+      out.peak_position = table_.position(i + 1);
+    }
+  }
+  magnitude_ = magnitude;
+  lowest_pressure_ = lowest;
+  if (region.end.y > -1.0 && region.end.y < 1.0) lay_cut(last, -1.0, region.end.y, c, share, p);
+  return p;
+}
+
+void PressureSolver::finish() {
+  PressureProfile& out = profile_;
+  const int n = table_.count();
+  const double round_off = 32.0 * epsilon * magnitude_;
+  double wet = 0.0;
+  out.downstream_flux = 0.0;
+  for (const Region& region : regions_) {
+    const double start = table_.position(region.start), end = table_.position(region.end);
+    const double c = (1.0 - region.share) * region.constant + region.share * region.constant_beyond;
+    if (region.start.segment == 0 && region.start.y == -1.0) {
+      out.upstream_flux = c;
+      out.front_position = end;
+    }
+    if (region.to_mouth) {
+      out.downstream_flux = c - table_.tip_change();
+      double& last = out.pressure[static_cast<std::size_t>(n)];
+      if (std::abs(last - downstream_) <= round_off) last = downstream_;
+    }
+    if (end > start) {
+      wet += end - start;
+      out.wet_regions.push_back({start, end, c});
+    }
+  }
+  out.cavitated = wet < table_.position(n) * (1.0 - 4.0 * epsilon);
+  if (out.at_regime_jump) out.peak_pressure = 0.0;
+  for (int node = 0; node <= n; ++node) {
+    double& p = out.pressure[static_cast<std::size_t>(node)];
+    if (p < 0.0 && p >= -round_off) p = 0.0;  // what rounding leaves next to a front or at a mouth without pressure
+    if (p < 0.0 && !planted_fault("crackwater/clipped-cavitation")) out.status = ProfileStatus::not_converged;
+    if (out.at_regime_jump && p > out.peak_pressure) {
+      out.peak_pressure = p;
+      out.peak_position = table_.position(node);
+    }
+  }
+  if (table_.flat() || planted_fault("crackwater/nodal-trapezoid")) {
+    for (int node = 0; node <= n; ++node) {
+      const double before = node > 0 ? table_.length(node - 1) : 0.0, after = node < n ? table_.length(node) : 0.0;
+      out.nodal_force[static_cast<std::size_t>(node)] = 0.5 * (before + after) * out.pressure[static_cast<std::size_t>(node)];
+    }
+  }
+  CompensatedSum force, moment;
+  for (int node = 0; node <= n; ++node) {
+    force.add(out.nodal_force[static_cast<std::size_t>(node)]);
+    moment.add(out.nodal_force[static_cast<std::size_t>(node)] * table_.position(node));
+  }
+  out.uplift_force = force.value();
+  out.uplift_moment = moment.value();
+}
+
+const PressureProfile& PressureSolver::uniform(double upstream_pressure) noexcept {
+  if (!reset({upstream_pressure, {}})) return profile_;
+  PressureProfile& out = profile_;
+  const int n = table_.count();
+  const auto pressure = [&](int node) { return std::max(upstream_ - table_.weight(node), 0.0); };
+  CompensatedSum force, moment;
+  for (int node = 0; node <= n; ++node) {
+    const double p = pressure(node);
+    const std::size_t k = static_cast<std::size_t>(node);
+    out.pressure[k] = p;
+    // linear between nodes: ∫ N_j p ds of a linear p
+    double nodal = 0.0;
+    if (node > 0) nodal += table_.length(node - 1) * (2.0 * p + pressure(node - 1)) / 6.0;
+    if (node < n) nodal += table_.length(node) * (2.0 * p + pressure(node + 1)) / 6.0;
+    out.nodal_force[k] = nodal;
+    force.add(nodal);
+    moment.add(nodal * table_.position(node));
+    if (p > out.peak_pressure) {
+      out.peak_pressure = p;
+      out.peak_position = table_.position(node);
+    }
+  }
+  out.uplift_force = force.value();
+  out.uplift_moment = moment.value();
+  out.front_position = table_.position(n);
+  out.wet_regions.push_back({0.0, table_.position(n), 0.0});
+  return out;
+}
+
+}  // namespace sunder::crackwater

@@ -1,0 +1,406 @@
+#include "solver/crackwater/pressure_profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solver/crackwater/check.hpp"
+#include "solver/crackwater/segment_pieces.hpp"
+#include "solver/numerics/planted_fault.hpp"
+
+namespace sunder::crackwater {
+
+using numerics::planted_fault;
+using numerics::Residual;
+
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// What rounding leaves of a pressure that is a sum of losses of this magnitude.
+double floor_of(double magnitude) { return 8.0 * epsilon * magnitude; }
+
+numerics::RootMethod method_of(Search search) {
+  switch (search) {
+    case Search::bisection:
+      return numerics::RootMethod::bisection;
+    case Search::itp:
+      return numerics::RootMethod::itp;
+    case Search::toms748:
+      return numerics::RootMethod::toms748;
+    case Search::newton:
+    case Search::prefix_moments:
+      return numerics::RootMethod::newton;
+  }
+  return numerics::RootMethod::bisection;
+}
+
+}  // namespace
+
+PressureSolver::PressureSolver(const CrackLine& line, const Water& water, const ProfileOptions& options)
+    : options_(options), table_(line, flow_law(water), options.quadrature) {
+  require_not_negative("relative_tolerance", options.relative_tolerance);
+  if (options.relative_tolerance >= 1.0) refuse("relative_tolerance", options.relative_tolerance, "< 1");
+  if (options.max_evaluations < 3) refuse("max_evaluations", options.max_evaluations, ">= 3");
+  const std::size_t segments = line.lengths.size();
+  profile_.pressure.assign(segments + 1, 0.0);
+  profile_.nodal_force.assign(segments + 1, 0.0);
+  // a wet region ends and another begins at least half a segment on: V is quadratic in a segment
+  profile_.wet_regions.reserve(2 * segments + 2);
+  regions_.reserve(2 * segments + 2);
+  for (auto* values : {&loss_, &to_first_, &to_last_}) values->assign(segments, 0.0);
+}
+
+const PressureProfile& PressureSolver::solve(std::span<const double> apertures, std::span<const double> rates,
+                                             const MouthPressures& mouths) noexcept {
+  if (!table_.fill(apertures, rates)) {
+    reset({nan, {}});
+    return profile_;
+  }
+  return solve_filled(mouths);
+}
+
+bool PressureSolver::reset(const MouthPressures& mouths) {
+  PressureProfile& p = profile_;
+  std::fill(p.pressure.begin(), p.pressure.end(), 0.0);
+  std::fill(p.nodal_force.begin(), p.nodal_force.end(), 0.0);
+  p.wet_regions.clear();
+  regions_.clear();
+  p.uplift_force = p.uplift_moment = p.upstream_flux = p.downstream_flux = p.front_position = 0.0;
+  p.peak_pressure = p.peak_position = p.turbulent_share = p.residual = 0.0;
+  p.cavitated = p.at_regime_jump = false;
+  p.residual_evaluations = 0;
+  p.gradient_evaluations = 0;
+  open_ = mouths.downstream.has_value();
+  upstream_ = std::max(mouths.upstream, 0.0);
+  downstream_ = open_ ? std::max(*mouths.downstream, 0.0) : 0.0;
+  p.mouth_below_zero = mouths.upstream < 0.0 || (open_ && *mouths.downstream < 0.0);
+  use_prefix_ = false;
+  const bool usable = std::isfinite(mouths.upstream) && (!open_ || std::isfinite(*mouths.downstream));
+  p.status = usable ? ProfileStatus::converged : ProfileStatus::unusable_input;
+  return usable;
+}
+
+const PressureProfile& PressureSolver::solve_filled(const MouthPressures& mouths) noexcept {
+  if (!reset(mouths)) return profile_;
+  const bool level = !table_.inclined();
+  const bool monotone = table_.never_closing() || table_.never_opening();
+  if (options_.search == Search::prefix_moments && (monotone || level)) table_.fill_prefix();
+  if (open_ && level && options_.search == Search::prefix_moments && solve_pure()) {
+    finish();
+    return profile_;
+  }
+  if (level && table_.never_closing() && !table_.never_opening()) {
+    solve_never_closing();
+  } else {
+    solve_through();
+    const bool sound = level && table_.never_opening();  // p falls towards the mouths only: no minimum inside
+    if (!sound && lowest_pressure_ < -floor_of(magnitude_) && !planted_fault("crackwater/clipped-cavitation")) {
+      const int evaluations = profile_.residual_evaluations;
+      const long long gradients = profile_.gradient_evaluations;
+      reset(mouths);
+      profile_.residual_evaluations = evaluations;
+      profile_.gradient_evaluations = gradients;
+      solve_general();
+    }
+  }
+  finish();
+  return profile_;
+}
+
+// ---- the searches ---------------------------------------------------------------------------------------------------
+
+Loss PressureSolver::range_loss(double c, int first, int last, bool wants_slope) {
+  if (use_prefix_) {
+    profile_.gradient_evaluations += std::min(2, last - first);
+    return table_.prefix_loss(c, first, last);
+  }
+  profile_.gradient_evaluations += last - first;
+  return table_.loss(c, first, last, wants_slope);
+}
+
+/// p(L) - p_down where the whole crack is wet.
+Residual PressureSolver::through_residual(double c, bool wants_slope) {
+  ++profile_.residual_evaluations;
+  const int n = table_.count();
+  const Loss loss = range_loss(c, 0, n, wants_slope);
+  const double weight = table_.weight(n);
+  return {(upstream_ - downstream_ - weight) - loss.value, -loss.slope,
+          floor_of(loss.magnitude + upstream_ + downstream_ + std::abs(weight))};
+}
+
+/// Where V = c, for a V that never falls from 0 < c < V(L) on; with the midpoint rule the node where V passes c.
+Location PressureSolver::crossing_of(double c) const {
+  int low = 0, high = table_.count() - 1;
+  const bool flat = table_.quadrature() == Quadrature::midpoint;
+  while (low < high) {
+    const int middle = (low + high) / 2;
+    if ((flat ? table_.middle_change(middle) : table_.change(middle + 1)) >= c) {
+      high = middle;
+    } else {
+      low = middle + 1;
+    }
+  }
+  if (flat) return {low, table_.middle_change(low) >= c ? -1.0 : 1.0};
+  std::array<double, 2> y{};
+  if (crossings(table_.segment(low), c, -1.0, 1.0, y) > 0) return {low, y[0]};
+  return {low, std::abs(table_.change(low) - c) < std::abs(table_.change(low + 1) - c) ? -1.0 : 1.0};
+}
+
+/// For a crack that never closes: p at its one minimum, or p(L) - p_down where that is lower.
+Residual PressureSolver::front_residual(double c, bool wants_slope) {
+  const int n = table_.count();
+  const bool flat = table_.quadrature() == Quadrature::midpoint;
+  const double furthest = flat ? table_.middle_change(n - 1) : table_.change(n);
+  if (c >= furthest || c <= (flat ? table_.middle_change(0) : 0.0)) return through_residual(c, wants_slope);
+  ++profile_.residual_evaluations;
+  const Location at = crossing_of(c);
+  Loss loss = range_loss(c, 0, at.segment, wants_slope);
+  const Segment segment = table_.segment(at.segment);
+  const auto add = [&](double from, double to) {
+    const Pieces pieces = cut(segment, table_.law(), c, from, to, nan);
+    loss.slope += pieces.cut_slope;
+    for (int k = 0; k < pieces.count; ++k) {
+      const Piece& piece = pieces.piece[static_cast<std::size_t>(k)];
+      loss.value += piece.loss;
+      loss.slope += piece.slope;
+      loss.magnitude += std::abs(piece.loss);
+    }
+    ++profile_.gradient_evaluations;
+  };
+  if (flat) {
+    if (at.y > 0.0) {
+      const Loss last = range_loss(c, at.segment, at.segment + 1, wants_slope);
+      loss = {loss.value + last.value, loss.slope + last.slope, loss.magnitude + last.magnitude};
+    }
+  } else {
+    add(-1.0, at.y);
+  }
+  const Residual front{upstream_ - loss.value, -loss.slope, floor_of(loss.magnitude + upstream_)};
+  if (!open_ || downstream_ == 0.0) return front;
+  const Residual through = through_residual(c, wants_slope);
+  return through.value < front.value ? through : front;
+}
+
+/// For a crack that never closes and has a void: p(L) - p_down of the water that enters downstream and reaches up to V = c.
+Residual PressureSolver::far_residual(double c, bool wants_slope) {
+  ++profile_.residual_evaluations;
+  const int n = table_.count();
+  const Location at = crossing_of(c);
+  const bool whole = at.y == -1.0;
+  Loss loss = range_loss(c, whole ? at.segment : at.segment + 1, n, wants_slope);
+  if (!whole && at.y < 1.0) {
+    const Pieces pieces = cut(table_.segment(at.segment), table_.law(), c, at.y, 1.0, nan);
+    loss.slope += pieces.cut_slope;
+    for (int k = 0; k < pieces.count; ++k) {
+      const Piece& piece = pieces.piece[static_cast<std::size_t>(k)];
+      loss.value += piece.loss;
+      loss.slope += piece.slope;
+      loss.magnitude += std::abs(piece.loss);
+    }
+  }
+  return {-downstream_ - loss.value, -loss.slope, floor_of(loss.magnitude + downstream_)};
+}
+
+std::pair<double, double> PressureSolver::flux_bracket() const {
+  const int n = table_.count();
+  const double cubes = table_.inverse_cubes(0, n);
+  double head_in = std::max(upstream_ - downstream_, 0.0), head_back = std::max(downstream_ - upstream_, 0.0);
+  double run_back = 0.0;
+  if (table_.inclined()) {
+    for (int i = 0; i < n; ++i) {
+      const double rise = table_.weight(i + 1) - table_.weight(i);
+      head_in += std::abs(rise);
+      head_back += std::abs(rise);
+      const double w = std::max(table_.aperture(i), table_.aperture(i + 1));
+      run_back = std::max(run_back, flux_of_resistance(table_.law(), rise / table_.length(i) * w * w * w));
+    }
+  }
+  const double widening = 1.0 + 16.0 * epsilon;
+  return {table_.least_change() - widening * (flux_of_resistance(table_.law(), head_back / cubes) + run_back),
+          table_.greatest_change() + widening * flux_of_resistance(table_.law(), head_in / cubes)};
+}
+
+/// The root of a residual that falls with c, as a region whose ends the caller fills in.
+PressureSolver::Region PressureSolver::find(numerics::RootFunction residual, double lower, double upper) {
+  numerics::RootOptions options;
+  options.method = method_of(options_.search);
+  options.max_evaluations = options_.max_evaluations;
+  const bool to_round_off = options_.relative_tolerance == 0.0;
+  if (!to_round_off) options.relative_tolerance = options_.relative_tolerance;
+  Region region;
+  const bool prefix = use_prefix_;
+  numerics::BracketedRoot root = bracketed_root(residual, lower, upper, options);
+  if (prefix) {  // confirm by sweeps what the prefix sums found
+    use_prefix_ = false;
+    double c = root.root;
+    bool confirmed = false;
+    for (int attempt = 0; attempt < 4 && !confirmed; ++attempt) {
+      const Residual r = residual(c, true);
+      confirmed = std::abs(r.value) <= r.floor;
+      root.root = c;
+      root.residual = r.value;
+      const double next = c - r.value / r.slope;
+      if (!confirmed && !(next >= lower && next <= upper)) break;
+      if (!confirmed) c = next;
+    }
+    root.status = numerics::RootStatus::residual_within_tolerance;
+    if (!confirmed) root = bracketed_root(residual, lower, upper, options);
+    use_prefix_ = true;
+  }
+  region.constant = region.constant_beyond = root.root;
+  switch (root.status) {
+    case numerics::RootStatus::residual_within_tolerance:
+      break;
+    case numerics::RootStatus::bracket_within_tolerance:
+      if (to_round_off) {  // the residual jumps across zero: both sides, mixed so that the pressure is met
+        use_prefix_ = false;
+        const double below = residual(root.lower, false).value, above = residual(root.upper, false).value;
+        use_prefix_ = prefix;
+        if (below > 0.0 && above < 0.0) {
+          region.constant = root.lower;
+          region.constant_beyond = root.upper;
+          region.share = below / (below - above);
+          profile_.at_regime_jump = true;
+          profile_.turbulent_share = region.share;
+        }
+      }
+      break;
+    case numerics::RootStatus::evaluation_limit:
+    case numerics::RootStatus::no_sign_change:
+    case numerics::RootStatus::not_finite:
+      profile_.status = ProfileStatus::not_converged;
+      break;
+  }
+  profile_.residual = std::max(profile_.residual, std::abs(root.residual));
+  return region;
+}
+
+/// One regime and one direction over the whole crack: the flux is the root of a quadratic or linear equation.
+bool PressureSolver::solve_pure() {
+  const auto [s0, s1, s2] = table_.prefix_totals();
+  const FlowLaw& law = table_.law();
+  const double head = upstream_ - downstream_;
+  const double least = table_.least_change(), greatest = table_.greatest_change();
+  double c = nan;
+  const double forwards = s1 * s1 - s0 * (s2 - head / law.turbulent);
+  const double backwards = s1 * s1 - s0 * (s2 + head / law.turbulent);
+  const double slow = (s1 + head / law.laminar) / s0;
+  if (forwards > 0.0 && (s1 + std::sqrt(forwards)) / s0 - greatest > law.critical_flux) {
+    c = (s1 + std::sqrt(forwards)) / s0;
+  } else if (backwards > 0.0 && (s1 - std::sqrt(backwards)) / s0 - least < -law.critical_flux) {
+    c = (s1 - std::sqrt(backwards)) / s0;
+  } else if (slow - least <= law.critical_flux && slow - greatest >= -law.critical_flux &&
+             (table_.never_opening() || slow >= greatest || slow <= least)) {
+    c = slow;
+  } else if (table_.never_opening() && table_.never_closing()) {  // at rest inside the jump
+    const double below = head - std::copysign(law.laminar * law.critical_flux * s0, head);
+    const double above = head - std::copysign(law.turbulent * law.critical_flux * law.critical_flux * s0, head);
+    Region region;
+    region.constant = std::copysign(law.critical_flux, head);
+    region.constant_beyond = std::copysign(std::nextafter(law.critical_flux, 1e300), head);
+    region.share = below / (below - above);
+    region.start_pressure = upstream_;
+    region.end = {table_.count() - 1, 1.0};
+    region.to_mouth = true;
+    profile_.at_regime_jump = true;
+    profile_.turbulent_share = region.share;
+    place(region);
+    return true;
+  } else {
+    return false;
+  }
+  // The sums may have cancelled; a sweep tells, and a Newton step mends it.
+  for (int attempt = 0; attempt < 3; ++attempt) {
+    const Residual r = through_residual(c, true);
+    profile_.residual = std::abs(r.value);
+    if (std::abs(r.value) <= r.floor) {
+      Region region;
+      region.constant = region.constant_beyond = c;
+      region.start_pressure = upstream_;
+      region.end = {table_.count() - 1, 1.0};
+      region.to_mouth = true;
+      place(region);
+      return true;
+    }
+    c -= r.value / r.slope;
+  }
+  profile_.residual = 0.0;
+  return false;
+}
+
+void PressureSolver::solve_through() {
+  Region region;
+  if (!open_) {
+    region.constant = region.constant_beyond = table_.tip_change();
+    region.closed = true;
+  } else {
+    use_prefix_ = options_.search == Search::prefix_moments && table_.never_opening();
+    const auto [lower, upper] = flux_bracket();
+    auto residual = [this](double c, bool wants_slope) { return through_residual(c, wants_slope); };
+    region = find(numerics::RootFunction(residual), lower, upper);
+    use_prefix_ = false;
+    region.to_mouth = true;
+  }
+  region.start_pressure = upstream_;
+  region.end = {table_.count() - 1, 1.0};
+  place(region);
+}
+
+void PressureSolver::solve_never_closing() {
+  const int n = table_.count();
+  const bool clip = planted_fault("crackwater/clipped-cavitation");
+  Region region;
+  region.end = {n - 1, 1.0};
+  region.start_pressure = upstream_;
+  if (!open_) {
+    const double tip = table_.tip_change();
+    const Loss loss = range_loss(tip, 0, n, false);
+    ++profile_.residual_evaluations;
+    if (upstream_ - loss.value >= -floor_of(loss.magnitude + upstream_) || clip) {
+      region.constant = region.constant_beyond = tip;
+      region.closed = true;
+      place(region);
+      return;
+    }
+  }
+  use_prefix_ = options_.search == Search::prefix_moments;
+  auto [lower, upper] = flux_bracket();
+  if (!open_) upper = table_.tip_change();
+  const Region pattern = region;
+  if (clip) {
+    auto residual = [this](double c, bool wants_slope) { return through_residual(c, wants_slope); };
+    region = find(numerics::RootFunction(residual), lower, upper);
+  } else {
+    auto residual = [this](double c, bool wants_slope) { return front_residual(c, wants_slope); };
+    region = find(numerics::RootFunction(residual), lower, upper);
+  }
+  region.start_pressure = pattern.start_pressure;
+  region.end = pattern.end;
+  const double c = region.constant;
+  const bool flat = table_.quadrature() == Quadrature::midpoint;
+  const double furthest = flat ? table_.middle_change(n - 1) : table_.change(n);
+  bool through = clip || c >= furthest || c <= (flat ? table_.middle_change(0) : 0.0);
+  if (!through && open_ && downstream_ > 0.0) {  // which of the two minima was it?
+    const Residual end = through_residual(c, false);
+    const Residual lower_one = front_residual(c, false);
+    through = end.value <= lower_one.value;
+  }
+  region.to_mouth = through && open_;
+  if (!through) region.end = crossing_of(c);
+  use_prefix_ = false;
+  place(region);
+  if (through || !open_ || downstream_ == 0.0) return;
+
+  use_prefix_ = options_.search == Search::prefix_moments;
+  auto far = [this](double constant, bool wants_slope) { return far_residual(constant, wants_slope); };
+  Region second = find(numerics::RootFunction(far), c, furthest);
+  use_prefix_ = false;
+  second.start = crossing_of(second.constant);
+  second.end = {n - 1, 1.0};
+  second.to_mouth = true;
+  place(second);
+}
+
+}  // namespace sunder::crackwater

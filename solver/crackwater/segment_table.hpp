@@ -1,0 +1,153 @@
+#pragma once
+/// The crack cut into segments, with everything that the search for its flux asks of a segment worked out beforehand.
+///
+/// Inside segment i, y ∈ [-1, 1], the aperture w is linear and the flux q = c - V with V = V_m + α y + β y² (the opening rate is
+/// linear too), where c is the flux at the mouth plus what opened voids have taken. With A_j = ∫ (V - V_m)^j w⁻³ ds the friction
+/// loss of a segment in one regime is exact and costs a few multiplications, d = c - V_m:
+///
+///     laminar     ∫ φ w⁻³ ds = a (A_0 d - A_1)
+///     turbulent   ∫ φ w⁻³ ds = ± b (A_0 d² - 2 A_1 d + A_2)
+///
+/// A segment in which |q| crosses the critical flux is cut there into pieces (segment_pieces.hpp). The midpoint rule (the seed
+/// paper's) is the same with A_0 = h/w_m³, A_1 = A_2 = 0 and no cutting.
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "solver/crackwater/flow_law.hpp"
+
+namespace sunder::crackwater {
+
+enum class Quadrature {
+  exact,     ///< cut at q = 0 and |q| = q_c; pressure resultants integrated as exactly as the pressure
+  midpoint,  ///< aperture and flux at the middle of a segment, resultants by the trapezoidal rule: the seed paper's
+};
+
+/// Where the crack runs.
+struct CrackLine {
+  std::vector<double> lengths;  ///< (n) of the segments from the upstream mouth [m], > 0
+  std::vector<double> rises;    ///< (n) height gained over each segment [m], |rise| ≤ length; empty: horizontal
+};
+
+/// n equal segments.
+CrackLine straight_crack(double length, int segments);
+
+/// Throws std::invalid_argument naming the value and its bound.
+void check(const CrackLine& line);
+
+/// A point of the crack.
+struct Location {
+  int segment = 0;
+  double y = -1.0;  ///< -1 … 1 within the segment
+};
+
+/// One segment as the cutting sees it.
+struct Segment {
+  double length;            ///< [m]
+  double first, last;       ///< apertures at its ends [m]
+  double middle;            ///< V_m [m²/s]
+  double linear, quadratic; ///< α, β [m²/s]
+};
+
+/// Σ over segments.
+struct Loss {
+  double value = 0.0;      ///< friction loss ∫ φ w⁻³ ds [Pa]
+  double slope = 0.0;      ///< its derivative with respect to c [Pa s/m²]
+  double magnitude = 0.0;  ///< Σ |loss|, the scale of its round-off [Pa]
+};
+
+class SegmentTable {
+ public:
+  SegmentTable(const CrackLine& line, const FlowLaw& law, Quadrature quadrature);
+
+  /// Works the coefficients out for apertures [m] and their rates [m/s], both (n + 1). Nothing is allocated.
+  /// Returns false, leaving nothing usable, where a value is not finite or an aperture is not > 0.
+  [[nodiscard]] bool fill(std::span<const double> apertures, std::span<const double> rates);
+
+  /// The same for a march: V given (n + 1) up to and with each node's volume, so constant within each segment.
+  [[nodiscard]] bool fill_steps(std::span<const double> apertures, std::span<const double> changes);
+
+  /// Whether V is constant in each segment, so that fronts lie at nodes and resultants follow the trapezoidal rule.
+  bool flat() const { return steps_ || quadrature_ == Quadrature::midpoint; }
+  double loss_coefficient(int i) const { return loss_.a0[static_cast<std::size_t>(i)]; }  ///< ∫ w⁻³ ds [1/m²]
+
+  /// Prefix sums of A_0, A_0 V + A_1, A_0 V² + …; needed by `prefix_loss` alone.
+  void fill_prefix();
+
+  int count() const { return count_; }
+  const FlowLaw& law() const { return law_; }
+  Quadrature quadrature() const { return quadrature_; }
+  bool never_closing() const { return least_rate_ >= 0.0; }
+  bool never_opening() const { return greatest_rate_ <= 0.0; }
+  double least_change() const { return least_change_; }        ///< min V over the crack [m²/s]
+  double greatest_change() const { return greatest_change_; }  ///< max V
+  double change(int node) const { return change_[static_cast<std::size_t>(node)]; }  ///< V at a node [m²/s]
+  /// c of a crack full to its closed tip: V(L); in a march V of the last node's volume.
+  double tip_change() const { return steps_ ? tip_step_ : change_[static_cast<std::size_t>(count_)]; }
+  double middle_change(int i) const { return middle_[static_cast<std::size_t>(i)]; }
+  double position(int node) const { return position_[static_cast<std::size_t>(node)]; }  ///< s [m]
+  double weight(int node) const { return weight_[static_cast<std::size_t>(node)]; }      ///< ρ g (z - z_mouth) [Pa]
+  bool inclined() const { return inclined_; }
+  double rate(int node) const { return rate_[static_cast<std::size_t>(node)]; }
+  double aperture(int node) const { return aperture_[static_cast<std::size_t>(node)]; }
+  double length(int i) const { return length_[static_cast<std::size_t>(i)]; }
+  Segment segment(int i) const;
+  double position(Location at) const;
+  double change(Location at) const;
+  double weight(Location at) const;
+
+  /// ∫ w⁻³ ds over segments [first, last) as the quadrature sees it [1/m²].
+  double inverse_cubes(int first, int last) const;
+
+  /// Friction loss over segments [first, last) for the constant c; the vectorised sweep.
+  Loss loss(double c, int first, int last, bool wants_slope) const;
+
+  /// That of one segment, cut or not.
+  Loss cut_loss(int i, double c) const;
+  double single_loss(int i, double c) const;  ///< not cut
+
+  /// The same from prefix sums in O(log n), for a V that is monotone over the crack.
+  Loss prefix_loss(double c, int first, int last) const;
+
+  struct Totals {
+    double s0, s1, s2;  ///< ∫ V^j w⁻³ ds over the crack, j = 0, 1, 2
+  };
+  Totals prefix_totals() const;  ///< after `fill_prefix`
+
+  /// True where the closed form of segment i does not hold for this c: a regime change lies inside.
+  bool is_split(int i, double c) const;
+  /// True where, besides, the flux may turn inside segment i.
+  bool may_turn(int i, double c) const;
+
+  /// Friction loss of every segment in [first, last) with the parts of it that the nodal forces need:
+  /// ∫ N_a p ds = p_a h/2 - to_first, ∫ N_b p ds = p_a h/2 - to_last. Segments for which `may_turn` holds are left to the caller.
+  void losses(double c, int first, int last, std::span<double> loss, std::span<double> to_first,
+              std::span<double> to_last) const;
+
+ private:
+  struct Coefficients {
+    std::vector<double> a0, a1, a2;
+  };
+  bool take(std::span<const double> apertures);
+  void fill_moments();
+  void fill_midpoint();
+  template <int start>
+  void fill_four(int i);
+  void fill_one(int i);
+
+
+  int count_, padded_;
+  FlowLaw law_;
+  Quadrature quadrature_;
+  bool inclined_ = false, steps_ = false;
+  double tip_step_ = 0.0;
+  double least_rate_ = 0.0, greatest_rate_ = 0.0, least_change_ = 0.0, greatest_change_ = 0.0;
+  std::vector<double> length_, position_, weight_;
+  std::vector<double> aperture_, rate_, change_;
+  std::vector<double> middle_, spread_;
+  Coefficients loss_, to_first_, to_last_;
+  std::vector<double> sum0_, sum1_, sum2_;
+};
+
+}  // namespace sunder::crackwater
