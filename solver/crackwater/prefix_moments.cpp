@@ -1,107 +1,95 @@
-/// Prefix sums of the segments' coefficients: the loss over any range of a crack whose V is monotone in O(log n).
-///
-/// With C_j = Σ ∫ V^j w⁻³ ds over a range of one regime, the loss is ± b (C_0 c² - 2 C_1 c + C_2) or a (C_0 c - C_1). The ranges
-/// are found by bisection for V = c ± q_c; the one or two segments that hold those points are cut as in the sweep.
+/// The loss over any range of a crack from prefix sums over blocks of segments.
 
 #include <algorithm>
 #include <cmath>
 
 #include "solver/crackwater/lanes.hpp"
-#include "solver/crackwater/segment_pieces.hpp"
 #include "solver/crackwater/segment_table.hpp"
 #include "solver/numerics/planted_fault.hpp"
 
 namespace sunder::crackwater {
 
 namespace {
-constexpr int block_size = 64;
-}
 
-void SegmentTable::fill_prefix() {
-  CompensatedSum total0, total1, total2;
-  for (int block = 0; block < count_; block += block_size) {
-    const double base0 = total0.value(), base1 = total1.value(), base2 = total2.value();
-    double c0 = 0.0, c1 = 0.0, c2 = 0.0;
-    for (int i = block; i < std::min(block + block_size, count_); ++i) {
-      const std::size_t k = static_cast<std::size_t>(i);
-      const double v = middle_[k], a0 = loss_.a0[k], a1 = loss_.a1[k];
-      c0 += a0;
-      c1 += a0 * v + a1;
-      c2 += v * (a0 * v + 2.0 * a1) + loss_.a2[k];
-      sum0_[k + 1] = base0 + c0;
-      sum1_[k + 1] = base1 + c1;
-      sum2_[k + 1] = base2 + c2;
+/// The first of [from, to) for which `holds`, which is false up to there and true from there on.
+template <class Predicate>
+int first_where(int from, int to, Predicate&& holds) {
+  while (from < to) {
+    const int middle = from + (to - from) / 2;
+    if (holds(middle)) {
+      to = middle;
+    } else {
+      from = middle + 1;
     }
-    total0.add(c0);
-    total1.add(c1);
-    total2.add(c2);
   }
+  return from;
 }
 
-SegmentTable::Totals SegmentTable::prefix_totals() const {
-  const std::size_t last = static_cast<std::size_t>(count_);
-  return {sum0_[last], sum1_[last], sum2_[last]};
-}
+}  // namespace
 
 Loss SegmentTable::prefix_loss(double c, int first, int last) const {
-  // With V falling the crack is looked at with the signs of V and c changed: φ is odd.
-  const double mirror = never_closing() ? 1.0 : -1.0;
-  const bool flat = quadrature_ == Quadrature::midpoint;
-  const auto low = [&](int i) { return mirror * (flat ? middle_[static_cast<std::size_t>(i)] : change_[static_cast<std::size_t>(i)]); };
-  const auto high = [&](int i) {
-    return mirror * (flat ? middle_[static_cast<std::size_t>(i)] : change_[static_cast<std::size_t>(i) + 1]);
-  };
-  const auto first_where = [&](int from, auto&& holds) {
-    int length = last - from;
-    while (length > 0) {
-      const int half = length / 2;
-      if (holds(from + half)) {
-        length = half;
-      } else {
-        from += half + 1;
-        length -= half + 1;
-      }
-    }
-    return from;
-  };
-  const double at = mirror * c, down = at - law_.critical_flux, up = at + law_.critical_flux;
-  // [first, a) turbulent forwards, [a, b) holds q = q_c, [b, e) laminar, [e, f) holds q = -q_c, [f, last) turbulent backwards
-  const int a = first_where(first, [&](int i) { return flat ? high(i) >= down : high(i) > down; });
-  const int b = flat ? a : first_where(a, [&](int i) { return low(i) >= down; });
-  const int e = first_where(a, [&](int i) { return high(i) > up; });
-  const int f = flat ? e : first_where(std::max(b, e), [&](int i) { return low(i) >= up; });
-
+  const int begin = (first + block_size - 1) / block_size, end = last / block_size;
+  if (begin >= end) return loss(c, first, last, true);
   Loss total;
-  const auto add = [&](double value, double slope) {
-    total.value += value;
-    total.slope += slope;
-    total.magnitude += std::abs(value);
+  const auto add = [&](const Loss& part) {
+    total.value += part.value;
+    total.slope += part.slope;
+    total.magnitude += part.magnitude;
   };
   const auto turbulent = [&](int from, int to, double sign) {
     if (from >= to) return;
     const std::size_t k = static_cast<std::size_t>(from), l = static_cast<std::size_t>(to);
-    const double c0 = sum0_[l] - sum0_[k], c1 = mirror * (sum1_[l] - sum1_[k]), c2 = sum2_[l] - sum2_[k];
-    const double value_sign = numerics::planted_fault("crackwater/unsigned-flux") ? mirror : sign;
-    add(value_sign * law_.turbulent * ((c0 * at - c1) * at - (c1 * at - c2)), sign * 2.0 * law_.turbulent * (c0 * at - c1));
+    const double c0 = sum0_[l] - sum0_[k], c1 = sum1_[l] - sum1_[k], c2 = sum2_[l] - sum2_[k];
+    const double squares = (c0 * c - c1) * c - (c1 * c - c2);
+    const double value_sign = numerics::planted_fault("crackwater/unsigned-flux") ? 1.0 : sign;
+    add({value_sign * law_.turbulent * squares, 2.0 * law_.turbulent * std::abs(c0 * c - c1),
+         std::abs(law_.turbulent * squares)});
   };
-  turbulent(first, a, 1.0);
-  turbulent(f, last, -1.0);
-  if (b < e) {
-    const std::size_t k = static_cast<std::size_t>(b), l = static_cast<std::size_t>(e);
-    const double c0 = sum0_[l] - sum0_[k], c1 = mirror * (sum1_[l] - sum1_[k]);
-    add(law_.laminar * (c0 * at - c1), law_.laminar * c0);
-  }
-  const auto cut_range = [&](int from, int to) {
-    for (int i = from; i < to; ++i) {
-      const Loss part = cut_loss(i, c);
-      total.value += mirror * part.value;
-      total.slope += part.slope;
-      total.magnitude += part.magnitude;
+  const auto laminar = [&](int from, int to) {
+    if (from >= to) return;
+    const std::size_t k = static_cast<std::size_t>(from), l = static_cast<std::size_t>(to);
+    const double c0 = sum0_[l] - sum0_[k], value = law_.laminar * (c0 * c - (sum1_[l] - sum1_[k]));
+    add({value, law_.laminar * c0, std::abs(value)});
+  };
+  const double critical = law_.critical_flux;
+  const auto low = [&](int b) { return c - block_high_[static_cast<std::size_t>(b)]; };  // least flux in a block
+  const auto high = [&](int b) { return c - block_low_[static_cast<std::size_t>(b)]; };
+  const auto sweep = [&](int from, int to) {
+    if (from < to) add(loss(c, from * block_size, to * block_size, true));
+  };
+
+  if (first < begin * block_size) add(loss(c, first, begin * block_size, true));
+  if (never_closing() || never_opening()) {
+    // forwards turbulent, changing, laminar, changing, backwards turbulent; or the other way round
+    const bool falling = never_closing();
+    const double sign = falling ? 1.0 : -1.0;
+    const auto beyond = [&](int b) { return falling ? low(b) > critical : high(b) < -critical; };
+    const auto back = [&](int b) { return falling ? high(b) < -critical : low(b) > critical; };
+    const auto within = [&](int b) { return falling ? high(b) <= critical : low(b) >= -critical; };
+    const auto leaving = [&](int b) { return falling ? low(b) < -critical : high(b) > critical; };
+    const int a = first_where(begin, end, [&](int b) { return !beyond(b); });
+    const int d = first_where(a, end, within);
+    const int e = first_where(d, end, leaving);
+    const int f = first_where(e, end, back);
+    turbulent(begin, a, sign);
+    sweep(a, d);
+    laminar(d, e);
+    sweep(e, f);
+    turbulent(f, end, -sign);
+  } else {
+    for (int b = begin; b < end; ++b) {
+      if (low(b) > critical) {
+        turbulent(b, b + 1, 1.0);
+      } else if (high(b) < -critical) {
+        turbulent(b, b + 1, -1.0);
+      } else if (low(b) >= -critical && high(b) <= critical) {
+        laminar(b, b + 1);
+      } else {
+        sweep(b, b + 1);
+      }
     }
-  };
-  cut_range(a, b);
-  cut_range(std::max(b, e), f);
-  total.value *= mirror;
+  }
+  if (end * block_size < last) add(loss(c, end * block_size, last, true));
   return total;
 }
 

@@ -1,6 +1,7 @@
 /// The pressure along the crack once the wet regions and their fluxes are known, and what is reported of it.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -47,31 +48,58 @@ double PressureSolver::stationary_point(int i, double c) const {
   return 0.5 * (low + high);
 }
 
-/// A stretch of one segment, cut where the flux turns or changes regime.
-void PressureSolver::lay_cut(int i, double from, double to, double c, double share, double& pressure) {
-  const std::size_t k = static_cast<std::size_t>(i);
-  const Pieces pieces = cut(table_.segment(i), table_.law(), c, from, to, stationary_point(i, c));
+/// Losses over a stretch of one segment that is cut where the flux turns or changes regime.
+struct PressureSolver::Stretch {
+  double loss = 0.0, magnitude = 0.0;  ///< [Pa], weight included
+  double force = 0.0, moment = 0.0;    ///< of the pressure lost, about the segment's first node [N/m], [N]
+};
+
+PressureSolver::Stretch PressureSolver::cut_stretch(int i, double from, double to, double c) const {
+  Stretch stretch;
+  const Pieces pieces = cut(table_.segment(i), table_.law(), c, from, to, nan);
   const double half = 0.5 * table_.length(i), rise = table_.weight(i + 1) - table_.weight(i);
-  double force = 0.0, moment = 0.0;  // about the segment's first node
   for (int j = 0; j < pieces.count; ++j) {
     const Piece& piece = pieces.piece[static_cast<std::size_t>(j)];
     const double length = half * (piece.end - piece.start), offset = half * (1.0 + piece.start);
     const double weight = 0.5 * rise * (piece.end - piece.start);
-    const double first = 0.5 * pressure * length - piece.to_first - weight * length / 6.0;
-    const double last = 0.5 * pressure * length - piece.to_last - weight * length / 3.0;
-    force += first + last;
-    moment += offset * (first + last) + length * last;
-    pressure -= piece.loss + weight;
-    magnitude_ += std::abs(piece.loss) + std::abs(weight);
+    const double first = 0.5 * stretch.loss * length + piece.to_first + weight * length / 6.0;
+    const double last = 0.5 * stretch.loss * length + piece.to_last + weight * length / 3.0;
+    stretch.force += first + last;
+    stretch.moment += offset * (first + last) + length * last;
+    stretch.loss += piece.loss + weight;
+    stretch.magnitude += std::abs(piece.loss) + std::abs(weight);
+  }
+  return stretch;
+}
+
+/// Pressures inside a segment that lie above the peak or below the lowest met so far.
+void PressureSolver::note_extremes(int i, double from, double to, double c, double pressure) {
+  const Pieces pieces = cut(table_.segment(i), table_.law(), c, from, to, stationary_point(i, c));
+  const double half = 0.5 * table_.length(i), rise = table_.weight(i + 1) - table_.weight(i);
+  for (int j = 0; j < pieces.count; ++j) {
+    const Piece& piece = pieces.piece[static_cast<std::size_t>(j)];
+    pressure -= piece.loss + 0.5 * rise * (piece.end - piece.start);
     lowest_pressure_ = std::min(lowest_pressure_, pressure);
     if (pressure > profile_.peak_pressure) {
       profile_.peak_pressure = pressure;
       profile_.peak_position = table_.position(i) + half * (1.0 + piece.end);
     }
   }
+}
+
+/// Part of a segment next to a front.
+void PressureSolver::lay_part(int i, double from, double to, double c, double share, double& pressure) {
+  const std::size_t k = static_cast<std::size_t>(i);
+  note_extremes(i, from, to, c, pressure);
+  const Stretch stretch = cut_stretch(i, from, to, c);
+  const double half = 0.5 * table_.length(i), length = half * (to - from);
+  const double force = pressure * length - stretch.force;
+  const double moment = pressure * length * half * (1.0 + 0.5 * (from + to)) - stretch.moment;
   const double at_last = moment / table_.length(i);
   profile_.nodal_force[k] += share * (force - at_last);
   profile_.nodal_force[k + 1] += share * at_last;
+  pressure -= stretch.loss;
+  magnitude_ += stretch.magnitude;
 }
 
 /// Adds `share` of the profile of one constant; returns the pressure at the region's end.
@@ -79,51 +107,90 @@ double PressureSolver::lay(const Region& region, double c, double share) {
   PressureProfile& out = profile_;
   double p = region.start_pressure;
   magnitude_ = std::max(magnitude_, upstream_ + downstream_);
-  if (region.start.y == -1.0) {
-    out.pressure[static_cast<std::size_t>(region.start.segment)] += share * p;
-    if (p > out.peak_pressure) {
-      out.peak_pressure = p;
-      out.peak_position = table_.position(region.start.segment);
-    }
-  }
   int first = region.start.segment;
   const bool inside = region.start.segment == region.end.segment;
   if (region.start.y > -1.0 || (inside && region.end.y < 1.0)) {
-    const double to = inside ? region.end.y : 1.0;
-    lay_cut(first, region.start.y, to, c, share, p);
-    ++first;
-    if (to == 1.0) out.pressure[static_cast<std::size_t>(first)] += share * p;
-    if (inside) return p;
-  }
-  const int last = region.end.y == 1.0 ? region.end.segment + 1 : region.end.segment;
-  table_.losses(c, first, last, loss_, to_first_, to_last_);
-  double magnitude = magnitude_, lowest = lowest_pressure_;
-  for (int i = first; i < last; ++i) {
-    const std::size_t k = static_cast<std::size_t>(i);
-    if (table_.may_turn(i, c) || (table_.inclined() && !std::isnan(stationary_point(i, c)))) {
-      magnitude_ = magnitude;
-      lowest_pressure_ = lowest;
-      lay_cut(i, -1.0, 1.0, c, share, p);
-      magnitude = magnitude_;
-      lowest = lowest_pressure_;
-    } else {
-      const double h = table_.length(i), weight = table_.weight(i + 1) - table_.weight(i);
-      out.nodal_force[k] += share * (0.5 * p * h - to_first_[k] - weight * h / 6.0);
-      out.nodal_force[k + 1] += share * (0.5 * p * h - to_last_[k] - weight * h / 3.0);
-      p -= loss_[k] + weight;
-      magnitude += std::abs(loss_[k]) + std::abs(weight);
-      lowest = std::min(lowest, p);
-    }
-    out.pressure[k + 1] += share * p;
+    if (region.start.y == -1.0) out.pressure[static_cast<std::size_t>(first)] += share * p;
     if (p > out.peak_pressure) {
       out.peak_pressure = p;
-      out.peak_position = table_.position(i + 1);
+      out.peak_position = table_.position(region.start);
     }
+    lay_part(first, region.start.y, inside ? region.end.y : 1.0, c, share, p);
+    ++first;
+    if (inside && region.end.y < 1.0) return p;
   }
-  magnitude_ = magnitude;
-  lowest_pressure_ = lowest;
-  if (region.end.y > -1.0 && region.end.y < 1.0) lay_cut(last, -1.0, region.end.y, c, share, p);
+  const int last = region.end.y == 1.0 ? region.end.segment + 1 : region.end.segment;
+  lay_whole(first, last, c, share, p);
+  if (region.end.y > -1.0 && region.end.y < 1.0) lay_part(last, -1.0, region.end.y, c, share, p);
   return p;
+}
+
+/// The segments [first, last) and their nodes, given the pressure at node `first`; block by block, to stay in the cache.
+void PressureSolver::lay_whole(int first, int last, double c, double share, double& pressure) {
+  CompensatedSum total;
+  total.add(pressure);
+  for (int from = first; from < last; from += block_size) {
+    lay_block(from, std::min(from + block_size, last), c, share, total);
+  }
+  pressure = total.value();
+  if (first < last) profile_.pressure[static_cast<std::size_t>(last)] += share * pressure;
+}
+
+void PressureSolver::lay_block(int first, int last, double c, double share, CompensatedSum& pressure) {
+  PressureProfile& out = profile_;
+  table_.losses(c, first, last, loss_, to_first_, to_last_);
+  const bool inclined = table_.inclined(), flat = table_.flat();
+  std::array<int, block_size> turning{};
+  int turning_count = 0;
+  for (int i = first; i < last; ++i) {
+    const std::size_t k = static_cast<std::size_t>(i);
+    if (!table_.may_turn(i, c)) {
+      if (!inclined) continue;
+      const double h = table_.length(i), weight = table_.weight(i + 1) - table_.weight(i);
+      loss_[k] += weight;
+      to_first_[k] += weight * h / 6.0;
+      to_last_[k] += weight * h / 3.0;
+      if (!std::isnan(stationary_point(i, c))) turning[static_cast<std::size_t>(turning_count++)] = i;
+      continue;
+    }
+    turning[static_cast<std::size_t>(turning_count++)] = i;
+    const Stretch stretch = cut_stretch(i, -1.0, 1.0, c);
+    loss_[k] = stretch.loss;
+    to_last_[k] = stretch.moment / table_.length(i);
+    to_first_[k] = stretch.force - to_last_[k];
+  }
+  std::array<double, block_size + 1> along;
+  along[0] = pressure.value();
+  block_prefix(
+      0, last - first, [&](int i) { return -loss_[static_cast<std::size_t>(first + i)]; }, along.data(), pressure);
+  double magnitude = magnitude_, lowest = lowest_pressure_, highest = out.peak_pressure, carried = 0.0;
+  for (int i = first; i < last; ++i) {
+    const std::size_t k = static_cast<std::size_t>(i);
+    const double p = along[static_cast<std::size_t>(i - first)];
+    if (!flat) {
+      const double half = 0.5 * p * table_.length(i);
+      out.nodal_force[k] += share * (half - to_first_[k] + carried);
+      carried = half - to_last_[k];
+    }
+    out.pressure[k] += share * p;
+    magnitude += std::abs(loss_[k]);
+    lowest = std::min(lowest, p);
+    highest = std::max(highest, p);
+  }
+  if (!flat) out.nodal_force[static_cast<std::size_t>(last)] += share * carried;
+  const double p = along[static_cast<std::size_t>(last - first)];
+  magnitude_ = magnitude;
+  lowest_pressure_ = std::min(lowest, p);
+  highest = std::max(highest, p);
+  if (highest > out.peak_pressure) {
+    out.peak_pressure = highest;
+    const auto at = std::find(along.begin(), along.begin() + (last - first) + 1, highest) - along.begin();
+    out.peak_position = table_.position(first + static_cast<int>(at));
+  }
+  for (int k = 0; k < turning_count; ++k) {
+    const int i = turning[static_cast<std::size_t>(k)];
+    note_extremes(i, -1.0, 1.0, c, along[static_cast<std::size_t>(i - first)]);
+  }
 }
 
 void PressureSolver::finish() {
@@ -153,7 +220,8 @@ void PressureSolver::finish() {
   if (out.at_regime_jump) out.peak_pressure = 0.0;
   for (int node = 0; node <= n; ++node) {
     double& p = out.pressure[static_cast<std::size_t>(node)];
-    if (p < 0.0 && p >= -round_off) p = 0.0;  // what rounding leaves next to a front or at a mouth without pressure
+    if (p > 0.0 && !out.at_regime_jump) continue;
+    if (p >= -round_off) p = std::max(p, 0.0);  // what rounding leaves next to a front or at a mouth without pressure
     if (p < 0.0 && !planted_fault("crackwater/clipped-cavitation")) out.status = ProfileStatus::not_converged;
     if (out.at_regime_jump && p > out.peak_pressure) {
       out.peak_pressure = p;
@@ -166,13 +234,11 @@ void PressureSolver::finish() {
       out.nodal_force[static_cast<std::size_t>(node)] = 0.5 * (before + after) * out.pressure[static_cast<std::size_t>(node)];
     }
   }
-  CompensatedSum force, moment;
-  for (int node = 0; node <= n; ++node) {
-    force.add(out.nodal_force[static_cast<std::size_t>(node)]);
-    moment.add(out.nodal_force[static_cast<std::size_t>(node)] * table_.position(node));
-  }
-  out.uplift_force = force.value();
-  out.uplift_moment = moment.value();
+  const double* force = out.nodal_force.data();
+  out.uplift_force = blocked_sum(0, n + 1, [&](int j) { return force[j]; }, [&](int j) { return load(force + j); });
+  const double* position = table_.positions().data();
+  out.uplift_moment = blocked_sum(0, n + 1, [&](int j) { return force[j] * position[j]; },
+                                  [&](int j) { return load(force + j) * load(position + j); });
 }
 
 const PressureProfile& PressureSolver::uniform(double upstream_pressure) noexcept {

@@ -21,6 +21,12 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// What rounding leaves of a pressure that is a sum of losses of this magnitude.
 double floor_of(double magnitude) { return 8.0 * epsilon * magnitude; }
 
+void add(Loss& total, const Loss& part) {
+  total.value += part.value;
+  total.slope += part.slope;
+  total.magnitude += part.magnitude;
+}
+
 numerics::RootMethod method_of(Search search) {
   switch (search) {
     case Search::bisection:
@@ -49,7 +55,9 @@ PressureSolver::PressureSolver(const CrackLine& line, const Water& water, const 
   // a wet region ends and another begins at least half a segment on: V is quadratic in a segment
   profile_.wet_regions.reserve(2 * segments + 2);
   regions_.reserve(2 * segments + 2);
-  for (auto* values : {&loss_, &to_first_, &to_last_}) values->assign(segments, 0.0);
+  const std::size_t padded = static_cast<std::size_t>(table_.padded_count());
+  for (auto* values : {&loss_, &to_first_, &to_last_}) values->assign(padded, 0.0);
+
 }
 
 const PressureProfile& PressureSolver::solve(std::span<const double> apertures, std::span<const double> rates,
@@ -85,8 +93,6 @@ bool PressureSolver::reset(const MouthPressures& mouths) {
 const PressureProfile& PressureSolver::solve_filled(const MouthPressures& mouths) noexcept {
   if (!reset(mouths)) return profile_;
   const bool level = !table_.inclined();
-  const bool monotone = table_.never_closing() || table_.never_opening();
-  if (options_.search == Search::prefix_moments && (monotone || level)) table_.fill_prefix();
   if (open_ && level && options_.search == Search::prefix_moments && solve_pure()) {
     finish();
     return profile_;
@@ -113,7 +119,7 @@ const PressureProfile& PressureSolver::solve_filled(const MouthPressures& mouths
 
 Loss PressureSolver::range_loss(double c, int first, int last, bool wants_slope) {
   if (use_prefix_) {
-    profile_.gradient_evaluations += std::min(2, last - first);
+    profile_.gradient_evaluations += std::min(2, last - first);  // the two in which the regime changes
     return table_.prefix_loss(c, first, last);
   }
   profile_.gradient_evaluations += last - first;
@@ -157,25 +163,11 @@ Residual PressureSolver::front_residual(double c, bool wants_slope) {
   ++profile_.residual_evaluations;
   const Location at = crossing_of(c);
   Loss loss = range_loss(c, 0, at.segment, wants_slope);
-  const Segment segment = table_.segment(at.segment);
-  const auto add = [&](double from, double to) {
-    const Pieces pieces = cut(segment, table_.law(), c, from, to, nan);
-    loss.slope += pieces.cut_slope;
-    for (int k = 0; k < pieces.count; ++k) {
-      const Piece& piece = pieces.piece[static_cast<std::size_t>(k)];
-      loss.value += piece.loss;
-      loss.slope += piece.slope;
-      loss.magnitude += std::abs(piece.loss);
-    }
-    ++profile_.gradient_evaluations;
-  };
   if (flat) {
-    if (at.y > 0.0) {
-      const Loss last = range_loss(c, at.segment, at.segment + 1, wants_slope);
-      loss = {loss.value + last.value, loss.slope + last.slope, loss.magnitude + last.magnitude};
-    }
+    if (at.y > 0.0) add(loss, range_loss(c, at.segment, at.segment + 1, wants_slope));
   } else {
-    add(-1.0, at.y);
+    add(loss, loss_between(table_.segment(at.segment), table_.law(), c, -1.0, at.y));
+    ++profile_.gradient_evaluations;
   }
   const Residual front{upstream_ - loss.value, -loss.slope, floor_of(loss.magnitude + upstream_)};
   if (!open_ || downstream_ == 0.0) return front;
@@ -191,14 +183,8 @@ Residual PressureSolver::far_residual(double c, bool wants_slope) {
   const bool whole = at.y == -1.0;
   Loss loss = range_loss(c, whole ? at.segment : at.segment + 1, n, wants_slope);
   if (!whole && at.y < 1.0) {
-    const Pieces pieces = cut(table_.segment(at.segment), table_.law(), c, at.y, 1.0, nan);
-    loss.slope += pieces.cut_slope;
-    for (int k = 0; k < pieces.count; ++k) {
-      const Piece& piece = pieces.piece[static_cast<std::size_t>(k)];
-      loss.value += piece.loss;
-      loss.slope += piece.slope;
-      loss.magnitude += std::abs(piece.loss);
-    }
+    add(loss, loss_between(table_.segment(at.segment), table_.law(), c, at.y, 1.0));
+    ++profile_.gradient_evaluations;
   }
   return {-downstream_ - loss.value, -loss.slope, floor_of(loss.magnitude + downstream_)};
 }
@@ -279,7 +265,7 @@ PressureSolver::Region PressureSolver::find(numerics::RootFunction residual, dou
 
 /// One regime and one direction over the whole crack: the flux is the root of a quadratic or linear equation.
 bool PressureSolver::solve_pure() {
-  const auto [s0, s1, s2] = table_.prefix_totals();
+  const auto [s0, s1, s2] = table_.totals();
   const FlowLaw& law = table_.law();
   const double head = upstream_ - downstream_;
   const double least = table_.least_change(), greatest = table_.greatest_change();
@@ -336,7 +322,7 @@ void PressureSolver::solve_through() {
     region.constant = region.constant_beyond = table_.tip_change();
     region.closed = true;
   } else {
-    use_prefix_ = options_.search == Search::prefix_moments && table_.never_opening();
+    use_prefix_ = options_.search == Search::prefix_moments;
     const auto [lower, upper] = flux_bracket();
     auto residual = [this](double c, bool wants_slope) { return through_residual(c, wants_slope); };
     region = find(numerics::RootFunction(residual), lower, upper);

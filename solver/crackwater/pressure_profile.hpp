@@ -85,6 +85,8 @@ struct PressureProfile {
   long long gradient_evaluations = 0;  ///< segments visited by the searches
 };
 
+class CompensatedSum;
+
 /// Solves one crack again and again; holds all memory, so that a solve allocates nothing and throws nothing.
 class PressureSolver {
  public:
@@ -134,7 +136,12 @@ class PressureSolver {
   void solve_general();
   void place(const Region& region);
   double lay(const Region& region, double c, double share);
-  void lay_cut(int segment, double from, double to, double c, double share, double& pressure);
+  void lay_block(int first, int last, double c, double share, CompensatedSum& pressure);
+  void lay_whole(int first, int last, double c, double share, double& pressure);
+  struct Stretch;
+  Stretch cut_stretch(int segment, double from, double to, double c) const;
+  void note_extremes(int segment, double from, double to, double c, double pressure);
+  void lay_part(int segment, double from, double to, double c, double share, double& pressure);
   void finish();
 
   Region find(numerics::RootFunction residual, double lower, double upper);

@@ -1,7 +1,7 @@
 #include "solver/crackwater/segment_pieces.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "solver/crackwater/inverse_cube_moments.hpp"
 #include "solver/numerics/planted_fault.hpp"
@@ -63,26 +63,85 @@ Piece piece_of(const Segment& segment, const FlowLaw& law, double c, double star
   return piece;
 }
 
+/// Into an ascending list of at most a handful.
+template <std::size_t size>
+void insert(std::array<double, size>& values, int& count, double value) {
+  std::size_t at = static_cast<std::size_t>(count++);
+  for (; at > 0 && values[at - 1] > value; --at) values[at] = values[at - 1];
+  values[at] = value;
+}
+
+/// What a moving cut at y adds to d loss/dc: the jump of φ / (w³ |v|).
+double jump_slope(const Segment& segment, double y, double jump) {
+  const double speed = 2.0 / segment.length * std::abs(segment.linear + 2.0 * segment.quadratic * y);  // |v|
+  const double w = aperture(segment, y);
+  return jump / (w * w * w * speed);
+}
+
 }  // namespace
+
+Piece whole_piece(const Segment& segment, const FlowLaw& law, double c) { return piece_of(segment, law, c, -1.0, 1.0); }
+
+Loss loss_between(const Segment& segment, const FlowLaw& law, double c, double start, double end) {
+  std::array<double, 5> cuts{};
+  int count = 0;
+  Loss loss;
+  std::array<double, 2> y{};
+  if (std::isfinite(law.critical_flux)) {
+    const double jump = (law.turbulent * law.critical_flux - law.laminar) * law.critical_flux;
+    for (const double target : {law.critical_flux, -law.critical_flux}) {
+      const int found = crossings(segment, c - target, start, end, y);
+      for (int k = 0; k < found; ++k) {
+        const double at = y[static_cast<std::size_t>(k)];
+        insert(cuts, count, at);
+        loss.slope += jump_slope(segment, at, jump);
+      }
+    }
+  }
+  cuts[static_cast<std::size_t>(count)] = end;
+  double from = start;
+  for (int k = 0; k <= count; ++k) {
+    const double to = cuts[static_cast<std::size_t>(k)];
+    if (!(to > from)) continue;
+    const double w0 = aperture(segment, from), w1 = aperture(segment, to), inverse = 1.0 / (w0 + w1);
+    const double centre = 0.5 * (from + to), half = 0.5 * (to - from);
+    const double d = flux(segment, c, centre), beta = segment.quadratic * half * half;
+    const double alpha = (segment.linear + 2.0 * segment.quadratic * centre) * half;
+    const double scale = 4.0 * segment.length * half * (inverse * inverse * inverse);
+    const auto m = inverse_cube_moments(w0, w1);
+    const double once = scale * (d * m[0] - alpha * m[1] - beta * m[2]);
+    if (std::abs(d) > law.critical_flux) {
+      const double square = scale * (d * (d * m[0] - 2.0 * (alpha * m[1] + beta * m[2])) + alpha * alpha * m[2] +
+                                     beta * (2.0 * alpha * m[3] + beta * m[4]));
+      const double sign = planted_fault("crackwater/unsigned-flux") ? 1.0 : std::copysign(1.0, d);
+      loss.value += sign * law.turbulent * square;
+      loss.slope += 2.0 * law.turbulent * std::abs(once);
+      loss.magnitude += law.turbulent * square;
+    } else {
+      loss.value += law.laminar * once;
+      loss.slope += law.laminar * scale * m[0];
+      loss.magnitude += law.laminar * std::abs(once);
+    }
+    from = to;
+  }
+  return loss;
+}
 
 Pieces cut(const Segment& segment, const FlowLaw& law, double c, double start, double end, double extra) {
   Pieces pieces;
   std::array<double, 9> cuts{};
   int count = 0;
   std::array<double, 2> y{};
-  if (extra > start && extra < end) cuts[static_cast<std::size_t>(count++)] = extra;
+  if (extra > start && extra < end) insert(cuts, count, extra);
   for (const double target : {0.0, law.critical_flux, -law.critical_flux}) {
     const int found = std::isfinite(target) ? crossings(segment, c - target, start, end, y) : 0;
     for (int k = 0; k < found; ++k) {
       const double at = y[static_cast<std::size_t>(k)];
-      cuts[static_cast<std::size_t>(count++)] = at;
+      insert(cuts, count, at);
       if (target == 0.0) continue;
-      const double speed = 2.0 / segment.length * std::abs(segment.linear + 2.0 * segment.quadratic * at);  // |v|
-      const double w = aperture(segment, at);
-      pieces.cut_slope += (law.turbulent * target * target - law.laminar * law.critical_flux) / (w * w * w * speed);
+      pieces.cut_slope += jump_slope(segment, at, (law.turbulent * law.critical_flux - law.laminar) * law.critical_flux);
     }
   }
-  std::sort(cuts.begin(), cuts.begin() + count);
   double from = start;
   for (int k = 0; k <= count; ++k) {
     const double to = k < count ? cuts[static_cast<std::size_t>(k)] : end;

@@ -25,6 +25,12 @@ struct Pieces {
 /// The stretch [start, end] of a segment for the constant c, cut at q = 0 and |q| = q_c and at `extra` (NaN: nowhere).
 Pieces cut(const Segment& segment, const FlowLaw& law, double c, double start, double end, double extra);
 
+/// The whole segment as one piece, in the regime that its middle has.
+Piece whole_piece(const Segment& segment, const FlowLaw& law, double c);
+
+/// The friction loss of the stretch alone, where neither turning points nor forces are asked for.
+Loss loss_between(const Segment& segment, const FlowLaw& law, double c, double start, double end);
+
 /// y of the points in (start, end) with V(y) = c, in ascending order; returns how many (0 … 2).
 int crossings(const Segment& segment, double c, double start, double end, std::array<double, 2>& y);
 

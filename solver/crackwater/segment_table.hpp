@@ -50,7 +50,7 @@ struct Segment {
   double linear, quadratic; ///< α, β [m²/s]
 };
 
-/// Σ over segments.
+/// Over a stretch.
 struct Loss {
   double value = 0.0;      ///< friction loss ∫ φ w⁻³ ds [Pa]
   double slope = 0.0;      ///< its derivative with respect to c [Pa s/m²]
@@ -70,12 +70,10 @@ class SegmentTable {
 
   /// Whether V is constant in each segment, so that fronts lie at nodes and resultants follow the trapezoidal rule.
   bool flat() const { return steps_ || quadrature_ == Quadrature::midpoint; }
-  double loss_coefficient(int i) const { return loss_.a0[static_cast<std::size_t>(i)]; }  ///< ∫ w⁻³ ds [1/m²]
-
-  /// Prefix sums of A_0, A_0 V + A_1, A_0 V² + …; needed by `prefix_loss` alone.
-  void fill_prefix();
+  double loss_coefficient(int i) const { return a0_[static_cast<std::size_t>(i)]; }  ///< ∫ w⁻³ ds [1/m²]
 
   int count() const { return count_; }
+  int padded_count() const { return padded_; }
   const FlowLaw& law() const { return law_; }
   Quadrature quadrature() const { return quadrature_; }
   bool never_closing() const { return least_rate_ >= 0.0; }
@@ -87,6 +85,7 @@ class SegmentTable {
   double tip_change() const { return steps_ ? tip_step_ : change_[static_cast<std::size_t>(count_)]; }
   double middle_change(int i) const { return middle_[static_cast<std::size_t>(i)]; }
   double position(int node) const { return position_[static_cast<std::size_t>(node)]; }  ///< s [m]
+  std::span<const double> positions() const { return position_; }
   double weight(int node) const { return weight_[static_cast<std::size_t>(node)]; }      ///< ρ g (z - z_mouth) [Pa]
   bool inclined() const { return inclined_; }
   double rate(int node) const { return rate_[static_cast<std::size_t>(node)]; }
@@ -107,13 +106,15 @@ class SegmentTable {
   Loss cut_loss(int i, double c) const;
   double single_loss(int i, double c) const;  ///< not cut
 
-  /// The same from prefix sums in O(log n), for a V that is monotone over the crack.
+  /// The same from prefix sums over blocks of 64 segments: with C_j = Σ ∫ V^j w⁻³ ds over blocks of one regime the loss is
+  /// ± b (C_0 c² - 2 C_1 c + C_2) or a (C_0 c - C_1), and only blocks in which the regime changes are swept. O(log n) where V
+  /// is monotone over the crack, O(n/64) where not.
   Loss prefix_loss(double c, int first, int last) const;
 
   struct Totals {
     double s0, s1, s2;  ///< ∫ V^j w⁻³ ds over the crack, j = 0, 1, 2
   };
-  Totals prefix_totals() const;  ///< after `fill_prefix`
+  Totals totals() const { return {sum0_.back(), sum1_.back(), sum2_.back()}; }
 
   /// True where the closed form of segment i does not hold for this c: a regime change lies inside.
   bool is_split(int i, double c) const;
@@ -121,21 +122,19 @@ class SegmentTable {
   bool may_turn(int i, double c) const;
 
   /// Friction loss of every segment in [first, last) with the parts of it that the nodal forces need:
-  /// ∫ N_a p ds = p_a h/2 - to_first, ∫ N_b p ds = p_a h/2 - to_last. Segments for which `may_turn` holds are left to the caller.
+  /// ∫ N_a p ds = p_a h/2 - to_first, ∫ N_b p ds = p_a h/2 - to_last. Wrong for segments that `is_split`: those are the caller's.
+  /// The spans hold `padded_count()` numbers; in a flat table `to_first` and `to_last` are left alone.
   void losses(double c, int first, int last, std::span<double> loss, std::span<double> to_first,
               std::span<double> to_last) const;
 
  private:
-  struct Coefficients {
-    std::vector<double> a0, a1, a2;
-  };
   bool take(std::span<const double> apertures);
-  void fill_moments();
-  void fill_midpoint();
-  template <int start>
+  void fill_moments(int first, int last);
+  void fill_midpoint(int first, int last);
+  void fill_block(int first, int last);
+  template <int terms>
   void fill_four(int i);
   void fill_one(int i);
-
 
   int count_, padded_;
   FlowLaw law_;
@@ -145,9 +144,9 @@ class SegmentTable {
   double least_rate_ = 0.0, greatest_rate_ = 0.0, least_change_ = 0.0, greatest_change_ = 0.0;
   std::vector<double> length_, position_, weight_;
   std::vector<double> aperture_, rate_, change_;
-  std::vector<double> middle_, spread_;
-  Coefficients loss_, to_first_, to_last_;
-  std::vector<double> sum0_, sum1_, sum2_;
+  std::vector<double> middle_, spread_, block_low_, block_high_;
+  std::vector<double> a0_, a1_, a2_;
+  std::vector<double> sum0_, sum1_, sum2_;  // at the ends of blocks
 };
 
 }  // namespace sunder::crackwater
