@@ -6,9 +6,9 @@
 ///     larger   w = max(opening, w0)          the faces move w0 before the water notices
 ///     sum      w = w0 + max(opening, 0)      w0 is a roughness layer that the opening adds to
 ///
-/// The capacity of the crack, and with it the water that must move, follows w and not the faces: a face that rests on its
-/// roughness pumps nothing. So dw/dt is the opening rate where w follows the opening, and 0 where it rests on the bound. On
-/// the bound itself the derivative is the one towards the future: max(opening rate, 0).
+/// The capacity of the crack, and with it the water that must move, follows w and not the faces: a face that rests on
+/// its roughness pumps nothing. So dw/dt is the opening rate where w follows the opening, and 0 where it rests on the
+/// bound. On the bound itself the derivative is the one towards the future: max(opening rate, 0).
 
 #include <span>
 

@@ -26,7 +26,7 @@ void check(const Water& water) {
   }
   if (!(resistance_jump(water.relative_roughness) >= 1.0)) {
     refuse("relative_roughness", water.relative_roughness,
-           ">= 0.00687878: below it the flow law is not monotone at Re = 2300 and fluxes are not unique");
+           ">= 0.00687879: below it the flow law is not monotone at Re = 2300 and fluxes are not unique");
   }
 }
 

@@ -1,12 +1,12 @@
 #pragma once
-/// M_k(τ) = ∫₋₁¹ y^k / (1 + τ y)³ dy, k = 0 … 6: what a power of the position contributes to the pressure loss of a segment
-/// whose aperture tapers linearly from 1 - τ to 1 + τ times its middle value.
+/// M_k(τ) = ∫₋₁¹ y^k / (1 + τ y)³ dy, k = 0 … 6: what a power of the position contributes to the pressure loss of a
+/// segment whose aperture tapers linearly from 1 - τ to 1 + τ times its middle value.
 ///
 /// For little taper the power series in τ, in closed form for k = 0 and 1:
 /// M_k = Σ_j (-τ)^j (j+1)(j+2)/(k+j+1) over the j for which k + j is even. Otherwise integration by parts gives
-/// k M_{k-1} + (k - 2) τ M_k = B_k with B_k = (1+τ)⁻² - (-1)^k (1-τ)⁻². Run downwards the recurrence shrinks an error by
-/// |τ|(k-2)/k a step, so it is started above with zero and forgets that: no logarithm and no cancellation. For |τ| > 0.8
-/// (apertures beyond 1 : 9) it is run upwards from M_2, which is then the stable direction.
+/// k M_{k-1} + (k - 2) τ M_k = B_k with B_k = (1+τ)⁻² - (-1)^k (1-τ)⁻². Run downwards the recurrence shrinks an error
+/// by |τ|(k-2)/k a step, so it is started above with zero and forgets that: no logarithm and no cancellation. For |τ| >
+/// 0.8 (apertures beyond 1 : 9) it is run upwards from M_2, which is then the stable direction.
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
-/// Four numbers at a time, in GCC's and Clang's vector notation: the sweeps over segments must not depend on whether a compiler
-/// feels like vectorising, and their sums must come out in the same order everywhere.
+/// Four numbers at a time, in GCC's and Clang's vector notation: the sweeps over segments must not depend on whether a
+/// compiler feels like vectorising, and their sums must come out in the same order everywhere.
 
 #include <cstring>
 
@@ -15,10 +15,18 @@ inline Lanes load(const double* from) {
   std::memcpy(&lanes, from, sizeof lanes);
   return lanes;
 }
-inline void store(double* to, Lanes lanes) { std::memcpy(to, &lanes, sizeof lanes); }
-inline Lanes broadcast(double value) { return Lanes{value, value, value, value}; }
-inline double sum(Lanes lanes) { return (lanes[0] + lanes[2]) + (lanes[1] + lanes[3]); }
-inline bool any(LaneMask mask) { return ((mask[0] | mask[1]) | (mask[2] | mask[3])) != 0; }
+inline void store(double* to, Lanes lanes) {
+  std::memcpy(to, &lanes, sizeof lanes);
+}
+inline Lanes broadcast(double value) {
+  return Lanes{value, value, value, value};
+}
+inline double sum(Lanes lanes) {
+  return (lanes[0] + lanes[2]) + (lanes[1] + lanes[3]);
+}
+inline bool any(LaneMask mask) {
+  return ((mask[0] | mask[1]) | (mask[2] | mask[3])) != 0;
+}
 inline LaneMask bits(Lanes lanes) {
   LaneMask mask;
   std::memcpy(&mask, &lanes, sizeof mask);
@@ -29,11 +37,17 @@ inline Lanes from_bits(LaneMask mask) {
   std::memcpy(&lanes, &mask, sizeof lanes);
   return lanes;
 }
-inline Lanes magnitude(Lanes lanes) { return from_bits(bits(lanes) & 0x7fffffffffffffffL); }
+inline Lanes magnitude(Lanes lanes) {
+  return from_bits(bits(lanes) & 0x7fffffffffffffffL);
+}
 /// -lanes where `sign` is negative (-0 included), lanes elsewhere.
-inline Lanes negated_with(Lanes lanes, Lanes sign) { return from_bits(bits(lanes) ^ (bits(sign) & ~0x7fffffffffffffffL)); }
+inline Lanes negated_with(Lanes lanes, Lanes sign) {
+  return from_bits(bits(lanes) ^ (bits(sign) & ~0x7fffffffffffffffL));
+}
 /// 0 where the mask holds.
-inline Lanes cleared(Lanes lanes, LaneMask mask) { return from_bits(bits(lanes) & ~mask); }
+inline Lanes cleared(Lanes lanes, LaneMask mask) {
+  return from_bits(bits(lanes) & ~mask);
+}
 
 /// A running sum that keeps what rounding drops [Neumaier 1974].
 class CompensatedSum {
@@ -50,8 +64,8 @@ class CompensatedSum {
   double sum_ = 0.0, rest_ = 0.0;
 };
 
-/// Sums run plainly within so many terms and compensated from one block to the next, so that their error does not grow with
-/// the crack.
+/// Sums run plainly within so many terms and compensated from one block to the next, so that their error does not grow
+/// with the crack.
 inline constexpr int block_size = 64;
 
 /// Σ term(i), i in [first, last), with `term` for a number and for four at once.
@@ -69,7 +83,8 @@ double blocked_sum(int first, int last, One&& one, Four&& four) {
   return total.value();
 }
 
-/// sums[i + 1] = total + Σ term over [first, i], four at a time, for a stretch of at most a block; adds the stretch to `total`.
+/// sums[i + 1] = total + Σ term over [first, i], four at a time, for a stretch of at most a block; adds the stretch to
+/// `total`.
 template <class Term>
 inline void block_prefix(int first, int last, Term&& term, double* sums, CompensatedSum& total) {
   const double base = total.value();

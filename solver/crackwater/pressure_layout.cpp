@@ -29,7 +29,8 @@ void PressureSolver::place(const Region& region) {
   regions_.push_back(region);
 }
 
-/// y where friction and weight balance inside an inclined segment, so that p has an extremum there; NaN where it has none.
+/// y where friction and weight balance inside an inclined segment, so that p has an extremum there; NaN where it has
+/// none.
 double PressureSolver::stationary_point(int i, double c) const {
   const double rise = (table_.weight(i + 1) - table_.weight(i)) / table_.length(i);
   if (rise == 0.0 || table_.flat()) return nan;
@@ -125,7 +126,8 @@ double PressureSolver::lay(const Region& region, double c, double share) {
   return p;
 }
 
-/// The segments [first, last) and their nodes, given the pressure at node `first`; block by block, to stay in the cache.
+/// The segments [first, last) and their nodes, given the pressure at node `first`; block by block, to stay in the
+/// cache.
 void PressureSolver::lay_whole(int first, int last, double c, double share, double& pressure) {
   CompensatedSum total;
   total.add(pressure);
@@ -156,6 +158,7 @@ void PressureSolver::lay_block(int first, int last, double c, double share, Comp
     turning[static_cast<std::size_t>(turning_count++)] = i;
     const Stretch stretch = cut_stretch(i, -1.0, 1.0, c);
     loss_[k] = stretch.loss;
+    magnitude_ += stretch.magnitude;
     to_last_[k] = stretch.moment / table_.length(i);
     to_first_[k] = stretch.force - to_last_[k];
   }
@@ -231,14 +234,17 @@ void PressureSolver::finish() {
   if (table_.flat() || planted_fault("crackwater/nodal-trapezoid")) {
     for (int node = 0; node <= n; ++node) {
       const double before = node > 0 ? table_.length(node - 1) : 0.0, after = node < n ? table_.length(node) : 0.0;
-      out.nodal_force[static_cast<std::size_t>(node)] = 0.5 * (before + after) * out.pressure[static_cast<std::size_t>(node)];
+      out.nodal_force[static_cast<std::size_t>(node)] =
+          0.5 * (before + after) * out.pressure[static_cast<std::size_t>(node)];
     }
   }
   const double* force = out.nodal_force.data();
-  out.uplift_force = blocked_sum(0, n + 1, [&](int j) { return force[j]; }, [&](int j) { return load(force + j); });
+  out.uplift_force = blocked_sum(
+      0, n + 1, [&](int j) { return force[j]; }, [&](int j) { return load(force + j); });
   const double* position = table_.positions().data();
-  out.uplift_moment = blocked_sum(0, n + 1, [&](int j) { return force[j] * position[j]; },
-                                  [&](int j) { return load(force + j) * load(position + j); });
+  out.uplift_moment = blocked_sum(
+      0, n + 1, [&](int j) { return force[j] * position[j]; },
+      [&](int j) { return load(force + j) * load(position + j); });
 }
 
 const PressureProfile& PressureSolver::uniform(double upstream_pressure) noexcept {

@@ -19,7 +19,9 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// What rounding leaves of a pressure that is a sum of losses of this magnitude.
-double floor_of(double magnitude) { return 8.0 * epsilon * magnitude; }
+double floor_of(double magnitude) {
+  return 8.0 * epsilon * magnitude;
+}
 
 void add(Loss& total, const Loss& part) {
   total.value += part.value;
@@ -57,7 +59,6 @@ PressureSolver::PressureSolver(const CrackLine& line, const Water& water, const 
   regions_.reserve(2 * segments + 2);
   const std::size_t padded = static_cast<std::size_t>(table_.padded_count());
   for (auto* values : {&loss_, &to_first_, &to_last_}) values->assign(padded, 0.0);
-
 }
 
 const PressureProfile& PressureSolver::solve(std::span<const double> apertures, std::span<const double> rates,
@@ -85,6 +86,7 @@ bool PressureSolver::reset(const MouthPressures& mouths) {
   downstream_ = open_ ? std::max(*mouths.downstream, 0.0) : 0.0;
   p.mouth_below_zero = mouths.upstream < 0.0 || (open_ && *mouths.downstream < 0.0);
   use_prefix_ = false;
+  lowest_pressure_ = magnitude_ = 0.0;
   const bool usable = std::isfinite(mouths.upstream) && (!open_ || std::isfinite(*mouths.downstream));
   p.status = usable ? ProfileStatus::converged : ProfileStatus::unusable_input;
   return usable;
@@ -175,7 +177,8 @@ Residual PressureSolver::front_residual(double c, bool wants_slope) {
   return through.value < front.value ? through : front;
 }
 
-/// For a crack that never closes and has a void: p(L) - p_down of the water that enters downstream and reaches up to V = c.
+/// For a crack that never closes and has a void: p(L) - p_down of the water that enters downstream and reaches up to V
+/// = c.
 Residual PressureSolver::far_residual(double c, bool wants_slope) {
   ++profile_.residual_evaluations;
   const int n = table_.count();
@@ -220,7 +223,8 @@ PressureSolver::Region PressureSolver::find(numerics::RootFunction residual, dou
   numerics::BracketedRoot root = bracketed_root(residual, lower, upper, options);
   if (prefix) {  // confirm by sweeps what the prefix sums found
     use_prefix_ = false;
-    double c = root.root;
+    const double found = root.root;
+    double c = found;
     bool confirmed = false;
     for (int attempt = 0; attempt < 4 && !confirmed; ++attempt) {
       const Residual r = residual(c, true);
@@ -232,7 +236,11 @@ PressureSolver::Region PressureSolver::find(numerics::RootFunction residual, dou
       if (!confirmed) c = next;
     }
     root.status = numerics::RootStatus::residual_within_tolerance;
-    if (!confirmed) root = bracketed_root(residual, lower, upper, options);
+    if (!confirmed) {  // a jump: prefix sums know where to 1e-12 of the bracket, sweeps find which number
+      const double reach = 1e-12 * (upper - lower);
+      root = bracketed_root(residual, std::max(lower, found - reach), std::min(upper, found + reach), options);
+      if (root.status == numerics::RootStatus::no_sign_change) root = bracketed_root(residual, lower, upper, options);
+    }
     use_prefix_ = true;
   }
   region.constant = region.constant_beyond = root.root;

@@ -1,23 +1,27 @@
 #pragma once
-/// Water pressure along a crack whose faces move: where the crack is wet, what the water presses, what flows through the mouths.
+/// Water pressure along a crack whose faces move: where the crack is wet, what the water presses, what flows through
+/// the mouths.
 ///
-/// The water is incompressible and without inertia; the crack was full just before. With s from the upstream mouth [m], aperture
-/// w [m], opening rate v = dw/dt [m/s] and the flux q [m²/s]:
+/// The water is incompressible and without inertia; the crack was full just before. With s from the upstream mouth [m],
+/// aperture w [m], opening rate v = dw/dt [m/s] and the flux q [m²/s]:
 ///
 ///     q = c - V,  V(s) = ∫₀ˢ v ds                                     continuity            [seed paper, Eq. (7)]
-///     dp/ds = -φ(q)/w³ - ρ g dz/ds                                    flow law              [seed paper, Eqs. (9)-(11)]
-///     0 ≤ p,  0 ≤ dm/ds,  p dm/ds = 0  with m = q + V                 water leaves the faces rather than be pulled
+///     dp/ds = -φ(q)/w³ - ρ g dz/ds                                    flow law              [seed paper, Eqs.
+///     (9)-(11)] 0 ≤ p,  0 ≤ dm/ds,  p dm/ds = 0  with m = q + V                 water leaves the faces rather than be
+///     pulled
 ///
-/// m is constant, = c, in every wet region and grows where p = 0: that growth is void. It is the minimum of a strictly convex
-/// functional over non-decreasing m, so pressure and flux are unique. At a front p = 0 and dp/ds = 0 (for a horizontal crack:
-/// q = 0); in a void the water stands, or runs down an inclined crack as a full one would. Any number of wet regions
-/// with voids between them can come out: from either mouth and, where the faces close inside, islands.
+/// m is constant, = c, in every wet region and grows where p = 0: that growth is void. It is the minimum of a strictly
+/// convex functional over non-decreasing m, so pressure and flux are unique. At a front p = 0 and dp/ds = 0 (for a
+/// horizontal crack: q = 0); in a void the water stands, or runs down an inclined crack as a full one would. Any number
+/// of wet regions with voids between them can come out: from either mouth and, where the faces close inside, islands.
 ///
-/// The regions are found from the upstream mouth on: c is the largest constant for which p ≥ 0 up to the other end, so it
-/// is the root of a monotone function of c, min(lowest local minimum of p, p(L) - p_down) = 0, and the region ends where that
-/// minimum lies. A void follows as far as V grows; where it stops growing lies the next region, found in the same way.
+/// The regions are found from the upstream mouth on: c is the largest constant for which p ≥ 0 up to the other end, so
+/// it is the root of a monotone function of c, min(lowest local minimum of p, p(L) - p_down) = 0, and the region ends
+/// where that minimum lies. A void follows as far as V grows; where it stops growing lies the next region, found in the
+/// same way.
 ///
-/// The flux is bracketed by physics: min V - q_s ≤ c ≤ max V + q_s with q_s the flux of a resting crack under the same heads.
+/// The flux is bracketed by physics: min V - q_s ≤ c ≤ max V + q_s with q_s the flux of a resting crack under the same
+/// heads.
 
 #include <optional>
 #include <span>
@@ -31,12 +35,13 @@
 namespace sunder::crackwater {
 
 enum class Search {
-  bisection,       ///< the seed paper's
+  bisection,  ///< the seed paper's
   itp,
   toms748,
   newton,
-  prefix_moments,  ///< closed form where the whole crack flows one way in one regime; else Newton's method on prefix sums,
-                   ///< O(log n) a residual, confirmed by sweeps; as `newton` where the opening rate changes its sign
+  prefix_moments,  ///< closed form where the whole crack flows one way in one regime; else Newton's method on prefix
+                   ///< sums, O(log n) a residual, confirmed by sweeps; as `newton` where the opening rate changes its
+                   ///< sign
 };
 
 struct ProfileOptions {
@@ -65,22 +70,22 @@ struct WetRegion {
 
 struct PressureProfile {
   ProfileStatus status = ProfileStatus::unusable_input;
-  std::vector<double> pressure;      ///< (n + 1) at the nodes [Pa], ≥ 0
-  std::vector<double> nodal_force;   ///< (n + 1) ∫ N_j p ds on one face [N/m], N_j the linear shape function of node j
+  std::vector<double> pressure;     ///< (n + 1) at the nodes [Pa], ≥ 0
+  std::vector<double> nodal_force;  ///< (n + 1) ∫ N_j p ds on one face [N/m], N_j the linear shape function of node j
   std::vector<WetRegion> wet_regions;
-  double uplift_force = 0.0;         ///< ∫ p ds [N/m]
-  double uplift_moment = 0.0;        ///< ∫ s p ds, about the upstream mouth [N]
-  double upstream_flux = 0.0;        ///< into the crack [m²/s]
-  double downstream_flux = 0.0;      ///< out of the crack [m²/s]; 0 at a closed tip
-  double front_position = 0.0;       ///< end of the region at the upstream mouth [m]
-  double peak_pressure = 0.0;        ///< [Pa], not limited in any way
-  double peak_position = 0.0;        ///< [m]
-  bool cavitated = false;            ///< somewhere the water has left the faces
-  bool at_regime_jump = false;       ///< no flux meets the pressures exactly: Re = 2300 over a stretch; p is the mixture of
-                                     ///< the laminar and the turbulent profile that does
-  double turbulent_share = 0.0;      ///< of that mixture, 0 … 1
-  bool mouth_below_zero = false;     ///< a mouth pressure was negative and counted as zero
-  double residual = 0.0;             ///< largest |p - required p| at the end of a region [Pa], before mixing
+  double uplift_force = 0.0;     ///< ∫ p ds [N/m]
+  double uplift_moment = 0.0;    ///< ∫ s p ds, about the upstream mouth [N]
+  double upstream_flux = 0.0;    ///< into the crack [m²/s]
+  double downstream_flux = 0.0;  ///< out of the crack [m²/s]; 0 at a closed tip
+  double front_position = 0.0;   ///< end of the region at the upstream mouth [m]
+  double peak_pressure = 0.0;    ///< [Pa], not limited in any way
+  double peak_position = 0.0;    ///< [m]
+  bool cavitated = false;        ///< somewhere the water has left the faces
+  bool at_regime_jump = false;   ///< no flux meets the pressures exactly: Re = 2300 over a stretch; p is the mixture of
+                                 ///< the laminar and the turbulent profile that does
+  double turbulent_share = 0.0;  ///< of that mixture, 0 … 1
+  bool mouth_below_zero = false;  ///< a mouth pressure was negative and counted as zero
+  double residual = 0.0;          ///< largest |p - required p| at the end of a region [Pa], before mixing
   int residual_evaluations = 0;
   long long gradient_evaluations = 0;  ///< segments visited by the searches
 };
@@ -97,8 +102,8 @@ class PressureSolver {
   const PressureProfile& solve(std::span<const double> apertures, std::span<const double> rates,
                                const MouthPressures& mouths) noexcept;
 
-  /// All of the crack under the pressure of its upstream mouth, still water and no fronts (the paper's models 1 and 2); in an
-  /// inclined crack hydrostatic from there, never below zero.
+  /// All of the crack under the pressure of its upstream mouth, still water and no fronts (the paper's models 1 and 2);
+  /// in an inclined crack hydrostatic from there, never below zero.
   const PressureProfile& uniform(double upstream_pressure) noexcept;
 
   const PressureProfile& profile() const { return profile_; }
@@ -108,12 +113,12 @@ class PressureSolver {
   /// The wet regions of the last solve as the tangents and a march want them.
   struct Region {
     Location start, end;
-    double constant = 0.0;           ///< c, the laminar side of a jump
-    double constant_beyond = 0.0;    ///< the other side of a jump; = constant otherwise
-    double share = 0.0;              ///< weight of the profile with `constant_beyond`
-    double start_pressure = 0.0;     ///< [Pa]
-    bool to_mouth = false;           ///< ends at the open downstream mouth
-    bool closed = false;             ///< c is fixed by a closed tip
+    double constant = 0.0;         ///< c, the laminar side of a jump
+    double constant_beyond = 0.0;  ///< the other side of a jump; = constant otherwise
+    double share = 0.0;            ///< weight of the profile with `constant_beyond`
+    double start_pressure = 0.0;   ///< [Pa]
+    bool to_mouth = false;         ///< ends at the open downstream mouth
+    bool closed = false;           ///< c is fixed by a closed tip
   };
   std::span<const Region> regions() const { return {regions_.data(), regions_.size()}; }
 

@@ -44,7 +44,8 @@ Piece piece_of(const Segment& segment, const FlowLaw& law, double c, double star
   std::array<double, 5> e{};
   if (turbulent) {
     const double b = sign * law.turbulent * scale;
-    e = {b * d * d, -2.0 * b * d * alpha, b * (alpha * alpha - 2.0 * d * beta), 2.0 * b * alpha * beta, b * beta * beta};
+    e = {b * d * d, -2.0 * b * d * alpha, b * (alpha * alpha - 2.0 * d * beta), 2.0 * b * alpha * beta,
+         b * beta * beta};
   } else {
     e = {law.laminar * scale * d, -law.laminar * scale * alpha, -law.laminar * scale * beta, 0.0, 0.0};
   }
@@ -80,7 +81,9 @@ double jump_slope(const Segment& segment, double y, double jump) {
 
 }  // namespace
 
-Piece whole_piece(const Segment& segment, const FlowLaw& law, double c) { return piece_of(segment, law, c, -1.0, 1.0); }
+Piece whole_piece(const Segment& segment, const FlowLaw& law, double c) {
+  return piece_of(segment, law, c, -1.0, 1.0);
+}
 
 Loss loss_between(const Segment& segment, const FlowLaw& law, double c, double start, double end) {
   std::array<double, 5> cuts{};
@@ -139,7 +142,8 @@ Pieces cut(const Segment& segment, const FlowLaw& law, double c, double start, d
       const double at = y[static_cast<std::size_t>(k)];
       insert(cuts, count, at);
       if (target == 0.0) continue;
-      pieces.cut_slope += jump_slope(segment, at, (law.turbulent * law.critical_flux - law.laminar) * law.critical_flux);
+      pieces.cut_slope +=
+          jump_slope(segment, at, (law.turbulent * law.critical_flux - law.laminar) * law.critical_flux);
     }
   }
   double from = start;

@@ -10,9 +10,9 @@ namespace sunder::crackwater {
 
 /// Losses over a stretch of one regime and one sign of the flux.
 struct Piece {
-  double start, end;  ///< y within the segment
-  double loss;        ///< ∫ φ w⁻³ ds [Pa]
-  double slope;       ///< d loss/dc, without what the moving cuts add [Pa s/m²]
+  double start, end;         ///< y within the segment
+  double loss;               ///< ∫ φ w⁻³ ds [Pa]
+  double slope;              ///< d loss/dc, without what the moving cuts add [Pa s/m²]
   double to_first, to_last;  ///< as in SegmentTable::losses, for the piece as a segment of its own [Pa m]
 };
 

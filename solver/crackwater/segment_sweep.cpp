@@ -33,7 +33,9 @@ double SegmentTable::single_loss(int i, double c) const {
   return law_.laminar * (a0_[k] * d - a1_[k]);
 }
 
-Loss SegmentTable::cut_loss(int i, double c) const { return loss_between(segment(i), law_, c, -1.0, 1.0); }
+Loss SegmentTable::cut_loss(int i, double c) const {
+  return loss_between(segment(i), law_, c, -1.0, 1.0);
+}
 
 namespace {
 
@@ -41,7 +43,8 @@ struct SweepArrays {
   const double *middle, *spread, *a0, *a1, *a2;
 };
 
-/// Whole lanes of a stretch that flows one way in the turbulent regime, without the factor ± b: ∫ q² w⁻³ ds, and ∫ q w⁻³ ds.
+/// Whole lanes of a stretch that flows one way in the turbulent regime, without the factor ± b: ∫ q² w⁻³ ds, and ∫ q
+/// w⁻³ ds.
 template <bool wants_slope>
 inline void turbulent_sweep(const SweepArrays& at, double c, int first, int last, double& squares, double& once) {
   Lanes square_sum = broadcast(0.0), once_sum = square_sum;
@@ -78,7 +81,8 @@ inline LaneSums mixed_sweep(const SweepArrays& at, const FlowLaw& law, double c,
     const Lanes value = cleared(turbulent ? signed_square : law.laminar * once, split);
     sums.value += value;
     sums.magnitude += magnitude(value);
-    if (any(split)) [[unlikely]] sums.split[static_cast<std::size_t>(sums.split_count++)] = i;
+    if (any(split)) [[unlikely]]
+      sums.split[static_cast<std::size_t>(sums.split_count++)] = i;
     if constexpr (wants_slope) {
       const Lanes twice = 2.0 * law.turbulent * once;
       sums.slope += cleared(turbulent ? negated_with(twice, d) : law.laminar * a0, split);

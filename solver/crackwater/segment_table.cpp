@@ -99,7 +99,8 @@ bool SegmentTable::take(std::span<const double> apertures) {
     good &= (w > 0.0) & (w <= 1e300);
   }
   bool all = !any(~good);
-  for (; i <= count_; ++i) all = all && apertures[static_cast<std::size_t>(i)] > 0.0 && apertures[static_cast<std::size_t>(i)] <= 1e300;
+  for (; i <= count_; ++i)
+    all = all && apertures[static_cast<std::size_t>(i)] > 0.0 && apertures[static_cast<std::size_t>(i)] <= 1e300;
   return all;
 }
 
@@ -143,7 +144,8 @@ bool SegmentTable::fill(std::span<const double> apertures, std::span<const doubl
           return 0.5 * length_[k] * (rate_[k] + rate_[k + 1]);
         },
         change_.data(), total);
-    if (end == count_) std::fill(change_.begin() + count_ + 1, change_.end(), change_[static_cast<std::size_t>(count_)]);
+    if (end == count_)
+      std::fill(change_.begin() + count_ + 1, change_.end(), change_[static_cast<std::size_t>(count_)]);
     if (quadrature_ == Quadrature::midpoint) {
       fill_midpoint(block, end);
     } else {
@@ -152,9 +154,8 @@ bool SegmentTable::fill(std::span<const double> apertures, std::span<const doubl
     fill_block(block, end);
   }
   if (never_closing() || never_opening()) {
-    const auto [low, high] = std::minmax(0.0, change_[static_cast<std::size_t>(count_)]);
-    least_change_ = low;
-    greatest_change_ = high;
+    least_change_ = std::min(0.0, change_[static_cast<std::size_t>(count_)]);
+    greatest_change_ = std::max(0.0, change_[static_cast<std::size_t>(count_)]);
     return true;
   }
   least_change_ = greatest_change_ = 0.0;

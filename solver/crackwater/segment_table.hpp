@@ -1,15 +1,15 @@
 #pragma once
 /// The crack cut into segments, with everything that the search for its flux asks of a segment worked out beforehand.
 ///
-/// Inside segment i, y ∈ [-1, 1], the aperture w is linear and the flux q = c - V with V = V_m + α y + β y² (the opening rate is
-/// linear too), where c is the flux at the mouth plus what opened voids have taken. With A_j = ∫ (V - V_m)^j w⁻³ ds the friction
-/// loss of a segment in one regime is exact and costs a few multiplications, d = c - V_m:
+/// Inside segment i, y ∈ [-1, 1], the aperture w is linear and the flux q = c - V with V = V_m + α y + β y² (the
+/// opening rate is linear too), where c is the flux at the mouth plus what opened voids have taken. With A_j = ∫ (V -
+/// V_m)^j w⁻³ ds the friction loss of a segment in one regime is exact and costs a few multiplications, d = c - V_m:
 ///
 ///     laminar     ∫ φ w⁻³ ds = a (A_0 d - A_1)
 ///     turbulent   ∫ φ w⁻³ ds = ± b (A_0 d² - 2 A_1 d + A_2)
 ///
-/// A segment in which |q| crosses the critical flux is cut there into pieces (segment_pieces.hpp). The midpoint rule (the seed
-/// paper's) is the same with A_0 = h/w_m³, A_1 = A_2 = 0 and no cutting.
+/// A segment in which |q| crosses the critical flux is cut there into pieces (segment_pieces.hpp). The midpoint rule
+/// (the seed paper's) is the same with A_0 = h/w_m³, A_1 = A_2 = 0 and no cutting.
 
 #include <cstddef>
 #include <span>
@@ -44,10 +44,10 @@ struct Location {
 
 /// One segment as the cutting sees it.
 struct Segment {
-  double length;            ///< [m]
-  double first, last;       ///< apertures at its ends [m]
-  double middle;            ///< V_m [m²/s]
-  double linear, quadratic; ///< α, β [m²/s]
+  double length;             ///< [m]
+  double first, last;        ///< apertures at its ends [m]
+  double middle;             ///< V_m [m²/s]
+  double linear, quadratic;  ///< α, β [m²/s]
 };
 
 /// Over a stretch.
@@ -78,15 +78,15 @@ class SegmentTable {
   Quadrature quadrature() const { return quadrature_; }
   bool never_closing() const { return least_rate_ >= 0.0; }
   bool never_opening() const { return greatest_rate_ <= 0.0; }
-  double least_change() const { return least_change_; }        ///< min V over the crack [m²/s]
-  double greatest_change() const { return greatest_change_; }  ///< max V
+  double least_change() const { return least_change_; }                              ///< min V over the crack [m²/s]
+  double greatest_change() const { return greatest_change_; }                        ///< max V
   double change(int node) const { return change_[static_cast<std::size_t>(node)]; }  ///< V at a node [m²/s]
   /// c of a crack full to its closed tip: V(L); in a march V of the last node's volume.
   double tip_change() const { return steps_ ? tip_step_ : change_[static_cast<std::size_t>(count_)]; }
   double middle_change(int i) const { return middle_[static_cast<std::size_t>(i)]; }
   double position(int node) const { return position_[static_cast<std::size_t>(node)]; }  ///< s [m]
   std::span<const double> positions() const { return position_; }
-  double weight(int node) const { return weight_[static_cast<std::size_t>(node)]; }      ///< ρ g (z - z_mouth) [Pa]
+  double weight(int node) const { return weight_[static_cast<std::size_t>(node)]; }  ///< ρ g (z - z_mouth) [Pa]
   bool inclined() const { return inclined_; }
   double rate(int node) const { return rate_[static_cast<std::size_t>(node)]; }
   double aperture(int node) const { return aperture_[static_cast<std::size_t>(node)]; }
@@ -106,9 +106,9 @@ class SegmentTable {
   Loss cut_loss(int i, double c) const;
   double single_loss(int i, double c) const;  ///< not cut
 
-  /// The same from prefix sums over blocks of 64 segments: with C_j = Σ ∫ V^j w⁻³ ds over blocks of one regime the loss is
-  /// ± b (C_0 c² - 2 C_1 c + C_2) or a (C_0 c - C_1), and only blocks in which the regime changes are swept. O(log n) where V
-  /// is monotone over the crack, O(n/64) where not.
+  /// The same from prefix sums over blocks of 64 segments: with C_j = Σ ∫ V^j w⁻³ ds over blocks of one regime the loss
+  /// is ± b (C_0 c² - 2 C_1 c + C_2) or a (C_0 c - C_1), and only blocks in which the regime changes are swept. O(log
+  /// n) where V is monotone over the crack, O(n/64) where not.
   Loss prefix_loss(double c, int first, int last) const;
 
   struct Totals {
@@ -122,8 +122,8 @@ class SegmentTable {
   bool may_turn(int i, double c) const;
 
   /// Friction loss of every segment in [first, last) with the parts of it that the nodal forces need:
-  /// ∫ N_a p ds = p_a h/2 - to_first, ∫ N_b p ds = p_a h/2 - to_last. Wrong for segments that `is_split`: those are the caller's.
-  /// The spans hold `padded_count()` numbers; in a flat table `to_first` and `to_last` are left alone.
+  /// ∫ N_a p ds = p_a h/2 - to_first, ∫ N_b p ds = p_a h/2 - to_last. Wrong for segments that `is_split`: those are the
+  /// caller's. The spans hold `padded_count()` numbers; in a flat table `to_first` and `to_last` are left alone.
   void losses(double c, int first, int last, std::span<double> loss, std::span<double> to_first,
               std::span<double> to_last) const;
 

@@ -125,7 +125,9 @@ Location PressureSolver::rise_to(Location from, double c) const {
 void PressureSolver::solve_general() {
   const int n = table_.count();
   const Location mouth{0, -1.0}, end{n - 1, 1.0};
-  const auto normal = [&](Location at) { return at.y == 1.0 && at.segment + 1 < n ? Location{at.segment + 1, -1.0} : at; };
+  const auto normal = [&](Location at) {
+    return at.y == 1.0 && at.segment + 1 < n ? Location{at.segment + 1, -1.0} : at;
+  };
   Location from = mouth;
   const double cap = open_ ? std::numeric_limits<double>::infinity() : table_.tip_change();
   for (bool at_mouth = true;; at_mouth = false) {
@@ -139,7 +141,8 @@ void PressureSolver::solve_general() {
       if (at_end && (!open_ || downstream_ == 0.0)) return;
       lower = free_constant(from.segment, from.y);
       // just before the descent, which may be a step between two segments
-      const Location before = bound.y == -1.0 && bound.segment > from.segment ? Location{bound.segment - 1, 1.0} : bound;
+      const Location before =
+          bound.y == -1.0 && bound.segment > from.segment ? Location{bound.segment - 1, 1.0} : bound;
       upper = std::max(lower, free_constant(before.segment, before.y));
     }
     const auto start_of = [&](double c) { return at_mouth ? mouth : rise_to(from, c); };

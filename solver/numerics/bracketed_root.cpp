@@ -67,6 +67,11 @@ class Search {
     return narrow_enough();
   }
 
+  /// Of the width of the bracket, as it stands.
+  double tolerance() const {
+    return options_.relative_tolerance * std::max(std::abs(result_.lower), std::abs(result_.upper)) +
+           absolute_tolerance_;
+  }
   double middle() const { return 0.5 * result_.lower + 0.5 * result_.upper; }
   double absolute_tolerance() const { return absolute_tolerance_; }
   const Residual& last() const { return last_; }
@@ -93,10 +98,8 @@ class Search {
   }
 
   bool narrow_enough() {
-    const double width = result_.upper - result_.lower;
-    const double scale = std::max(std::abs(result_.lower), std::abs(result_.upper));
     const double m = middle();
-    if (width <= options_.relative_tolerance * scale + absolute_tolerance_ || m <= result_.lower || m >= result_.upper) {
+    if (result_.upper - result_.lower <= tolerance() || m <= result_.lower || m >= result_.upper) {
       result_.status = RootStatus::bracket_within_tolerance;
       return true;
     }
@@ -128,7 +131,9 @@ void interpolate_truncate_project(Search& search, double relative_tolerance) {
   BracketedRoot& bracket = search.result();
   const double width0 = bracket.upper - bracket.lower;
   // half the width at which the search stops anyway, so that the promise "bisection plus one" refers to the same goal
-  const double scale = std::max(std::abs(bracket.lower), std::abs(bracket.upper));
+  const bool around_zero = bracket.lower < 0.0 && bracket.upper > 0.0;
+  const double scale =
+      around_zero ? 0.0 : std::min(std::abs(bracket.lower), std::abs(bracket.upper));  // at the root, at least
   const double goal = 0.5 * std::max(search.absolute_tolerance(), relative_tolerance * scale);
   const int halvings = static_cast<int>(std::ceil(std::log2(width0 / (2.0 * goal))));
   for (int step = 0;; ++step) {
@@ -137,7 +142,8 @@ void interpolate_truncate_project(Search& search, double relative_tolerance) {
     const double fa = bracket.residual_lower, fb = bracket.residual_upper;
     const double secant = (fb * a - fa * b) / (fb - fa);
     const double side = middle >= secant ? 1.0 : -1.0;
-    const double truncation = 0.2 / width0 * (b - a) * (b - a);
+    // at least half the tolerance, or rounding would keep the estimate on one side and the bracket open
+    const double truncation = std::max(0.2 / width0 * (b - a) * (b - a), 0.5 * search.tolerance());
     const double truncated = truncation <= std::abs(middle - secant) ? secant + side * truncation : middle;
     double x = std::abs(truncated - middle) <= radius ? truncated : middle - side * std::max(radius, 0.0);
     if (!(x > a && x < b)) x = middle;
@@ -145,7 +151,9 @@ void interpolate_truncate_project(Search& search, double relative_tolerance) {
   }
 }
 
-void toms748(Search& search, int max_evaluations) {
+/// Boost's algorithm has 14 calls, enough for a smooth function to round-off; where F jumps it would need up to three
+/// times the calls of bisection, which then takes over.
+void toms748(Search& search) {
   if (search.visit_bounds()) return;
   namespace math = boost::math;
   using Policy = math::policies::policy<math::policies::evaluation_error<math::policies::errno_on_error>,
@@ -158,13 +166,14 @@ void toms748(Search& search, int max_evaluations) {
   };
   const auto never = [](double, double) { return false; };
   const BracketedRoot start = search.result();
-  std::uintmax_t calls = static_cast<std::uintmax_t>(max_evaluations);
+  std::uintmax_t calls = 14;
   math::tools::toms748_solve(function, start.lower, start.upper, start.residual_lower, start.residual_upper, never,
                              calls, Policy());
   if (!done) bisect(search);
 }
 
-/// Newton's steps; a step that leaves the bracket, or a third one in a row that does not halve |F|, is a bisection.
+/// Newton's steps; a step that leaves the bracket, or a third one in a row that does not halve |F|, is a bisection. A
+/// step shorter than the tolerance is doubled until it lands on the other side, so that the bracket closes too.
 void newton(Search& search, double guess) {
   if (search.visit_bounds()) return;
   BracketedRoot& bracket = search.result();
@@ -172,13 +181,20 @@ void newton(Search& search, double guess) {
   double x = guess > a && guess < b ? guess : (fb * a - fa * b) / (fb - fa);
   if (!(x > a && x < b)) x = search.middle();
   int slow = 0;
-  double before = std::numeric_limits<double>::infinity();
+  double before = std::numeric_limits<double>::infinity(), probe = 0.0;
   while (!search.visit(x, true)) {
     const Residual& here = search.last();
     slow = std::abs(here.value) > 0.5 * before ? slow + 1 : 0;
     before = std::abs(here.value);
-    double next = x - here.value / here.slope;
-    if (next == x) next = std::nextafter(x, here.value / here.slope > 0.0 ? bracket.lower : bracket.upper);
+    double step = -here.value / here.slope;
+    const double tolerance = search.tolerance();
+    if (std::abs(step) < 0.5 * tolerance) {
+      probe = std::max(2.0 * probe, 0.5 * tolerance);
+      step = std::copysign(probe, step);
+    } else {
+      probe = 0.0;
+    }
+    double next = x + step;
     if (slow >= 3 || !(next > bracket.lower && next < bracket.upper)) {
       next = search.middle();
       if (slow >= 3) slow = 1;
@@ -200,7 +216,7 @@ BracketedRoot bracketed_root(RootFunction function, double lower, double upper, 
       interpolate_truncate_project(search, options.relative_tolerance);
       break;
     case RootMethod::toms748:
-      toms748(search, options.max_evaluations);
+      toms748(search);
       break;
     case RootMethod::newton:
       newton(search, options.guess);

@@ -1,15 +1,17 @@
 #pragma once
 /// The root of a monotone function between two bounds that are known to enclose it, by a method of choice.
 ///
-/// All methods keep a bracket, so none can leave it; they differ in how many calls they need: bisection 53 to round-off,
-/// the others about 10 on a smooth function and bisection's number where the function jumps across zero.
+/// All methods keep a bracket, so none can leave it; they differ in how many calls they need: bisection 53 to
+/// round-off, the others about 10 on a smooth function and bisection's number where the function jumps across zero.
 ///
 /// A search ends with the first of
 ///   1. |F(x)| ≤ floor(x), the round-off of F as the function itself reports it;
 ///   2. |F(x)| ≤ residual_tolerance;
-///   3. upper - lower ≤ relative_tolerance · max(|lower|, |upper|) + absolute_tolerance, or no number left between them;
+///   3. upper - lower ≤ relative_tolerance · max(|lower|, |upper|) + absolute_tolerance, or no number left between
+///   them;
 ///   4. max_evaluations calls.
-/// F that jumps across zero ends at 3 with both ends of the bracket and their residuals: the caller decides what it means.
+/// F that jumps across zero ends at 3 with both ends of the bracket and their residuals: the caller decides what it
+/// means.
 
 #include <concepts>
 #include <limits>
@@ -36,8 +38,7 @@ struct Residual {
 class RootFunction {
  public:
   template <class Callable>
-    requires(!std::same_as<std::remove_cv_t<Callable>, RootFunction>)
-  explicit RootFunction(Callable& callable)
+  requires(!std::same_as<std::remove_cv_t<Callable>, RootFunction>) explicit RootFunction(Callable& callable)
       : object_(std::addressof(callable)), call_([](void* object, double x, bool wants_slope) -> Residual {
           return (*static_cast<Callable*>(object))(x, wants_slope);
         }) {}
@@ -50,8 +51,8 @@ class RootFunction {
 
 struct RootOptions {
   RootMethod method = RootMethod::newton;
-  double residual_tolerance = 0.0;                                             ///< of |F|
-  double relative_tolerance = 2.0 * std::numeric_limits<double>::epsilon();    ///< of the bracket
+  double residual_tolerance = 0.0;                                           ///< of |F|
+  double relative_tolerance = 2.0 * std::numeric_limits<double>::epsilon();  ///< of the bracket
   double absolute_tolerance = -1.0;  ///< of the bracket; negative: ε/16 of the first bracket, for a root that is zero
   int max_evaluations = 400;
   double guess = std::numeric_limits<double>::quiet_NaN();  ///< where Newton begins; NaN: a secant of the ends
@@ -74,8 +75,8 @@ struct BracketedRoot {
   RootStatus status = RootStatus::not_finite;
 };
 
-/// Bisection trusts the caller that the bounds enclose the root of a non-increasing F (as the physical brackets do) and does
-/// not call them; the other methods call both, accept either direction and report `no_sign_change`.
+/// Bisection trusts the caller that the bounds enclose the root of a non-increasing F (as the physical brackets do) and
+/// does not call them; the other methods call both, accept either direction and report `no_sign_change`.
 [[nodiscard]] BracketedRoot bracketed_root(RootFunction function, double lower, double upper,
                                            const RootOptions& options);
 

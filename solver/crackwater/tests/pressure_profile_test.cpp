@@ -34,15 +34,38 @@ struct Reference {
 constexpr int stations[] = {1, 2, 5, 9, 10, 20, 30, 40};
 
 const Reference references[] = {
-    {"opening", 0.10, 0.883384970736352501, 0.0, 9.92930673144195245, 1233201.40063765116, 2469952.8430652634, 490500.0,
-     0.0, {358998.02793544358, 252998.30199384329, 61971.065899252569, 426.35452880864611, 0.0, 0.0, 0.0, 0.0}},
-    {"static", 0.0, 0.139790782835389583, 0.139790782835389583, 45.0, 14715000.0, 255794468.574563571, 490500.0, 0.0,
+    {"opening",
+     0.10,
+     0.883384970736352501,
+     0.0,
+     9.92930673144195245,
+     1233201.40063765116,
+     2469952.8430652634,
+     490500.0,
+     0.0,
+     {358998.02793544358, 252998.30199384329, 61971.065899252569, 426.35452880864611, 0.0, 0.0, 0.0, 0.0}},
+    {"static",
+     0.0,
+     0.139790782835389583,
+     0.139790782835389583,
+     45.0,
+     14715000.0,
+     255794468.574563571,
+     490500.0,
+     0.0,
      {486805.20136346421, 482983.72933884298, 470698.96193771626, 452148.14814814815, 447070.3125, 383724.48979591837,
       286125.0, 124260.0}},
-    {"closing", -0.10, -1.65874217599189056, 0.591257824008109439, 45.0, 146995198.365368616, 3233771452.03903502,
-     4305211.58973300819, 21.9320126233930305,
-     {980046.7003362356, 1426715.9787285993, 2527393.233229424, 3505941.1864019278, 3676086.6905890576, 4302500.4137781886,
-      4107988.121268818, 2159618.4727271015}},
+    {"closing",
+     -0.10,
+     -1.65874217599189056,
+     0.591257824008109439,
+     45.0,
+     146995198.365368616,
+     3233771452.03903502,
+     4305211.58973300819,
+     21.9320126233930305,
+     {980046.7003362356, 1426715.9787285993, 2527393.233229424, 3505941.1864019278, 3676086.6905890576,
+      4302500.4137781886, 4107988.121268818, 2159618.4727271015}},
 };
 
 TEST(PressureProfile, MeetsTheClosedFormsOfTheReferenceCrack) {
@@ -203,7 +226,8 @@ TEST(PressureProfile, IsTheSameSeenFromEitherMouth) {
     ASSERT_EQ(here.wet_regions.size(), there.wet_regions.size());
     const double scale = std::max(here.peak_pressure, 3e5);
     for (int i = 0; i <= n; ++i) {
-      EXPECT_NEAR(here.pressure[static_cast<std::size_t>(i)], there.pressure[static_cast<std::size_t>(n - i)], 1e-12 * scale);
+      EXPECT_NEAR(here.pressure[static_cast<std::size_t>(i)], there.pressure[static_cast<std::size_t>(n - i)],
+                  1e-12 * scale);
     }
     EXPECT_LE(relative(here.uplift_force, there.uplift_force), 1e-12);
     EXPECT_NEAR(here.upstream_flux, -there.downstream_flux, 1e-12);
@@ -245,8 +269,8 @@ TEST(PressureProfile, ClosesTheBandWithoutARootAtTheRegimeJump) {
 }
 
 TEST(PressureProfile, ReportsAJumpThatAnUnsplitRuleMeets) {
-  // Zero head and uniform closing: by symmetry the flux is zero in the middle, where the midpoint rule of an even number of
-  // segments meets both signs of ± h v / 2, far from the switch; an odd number leaves one segment at zero.
+  // Zero head and uniform closing: by symmetry the flux is zero in the middle, where the midpoint rule of an even
+  // number of segments meets both signs of ± h v / 2, far from the switch; an odd number leaves one segment at zero.
   for (const int n : {449, 450}) {
     for (const Search search : all_searches) {
       PressureSolver solver(straight_crack(45.0, n), {}, {.quadrature = Quadrature::midpoint, .search = search});
@@ -272,7 +296,8 @@ TEST(PressureProfile, AnswersToATolerance) {
       PressureSolver solver(straight_crack(45.0, 450), {}, {.search = search, .relative_tolerance = tolerance});
       const Motion motion = reference_motion(450, -0.10);
       const PressureProfile& p = solver.solve(motion.apertures, motion.rates, {reference_head, 0.0});
-      EXPECT_LE(relative(p.upstream_flux, references[2].upstream_flux), 2.0 * tolerance);  // bracket over its larger end
+      EXPECT_LE(relative(p.upstream_flux, references[2].upstream_flux),
+                2.0 * tolerance);  // bracket over its larger end
       EXPECT_LE(p.residual_evaluations, 36);
     }
   }
@@ -320,7 +345,8 @@ TEST(PressureProfile, RefusesWhatItCannotUse) {
   }
   EXPECT_EQ(solver.solve(good.apertures, good.rates, {nan, 0.0}).status, ProfileStatus::unusable_input);
   EXPECT_EQ(solver.solve(good.apertures, good.rates, {1e5, infinity}).status, ProfileStatus::unusable_input);
-  EXPECT_EQ(solver.solve(reference_motion(6, 0.1).apertures, good.rates, {1e5, 0.0}).status, ProfileStatus::unusable_input);
+  EXPECT_EQ(solver.solve(reference_motion(6, 0.1).apertures, good.rates, {1e5, 0.0}).status,
+            ProfileStatus::unusable_input);
   EXPECT_EQ(solver.solve(good.apertures, good.rates, {1e5, 0.0}).status, ProfileStatus::converged);
 }
 

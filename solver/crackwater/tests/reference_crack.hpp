@@ -1,6 +1,6 @@
 #pragma once
-/// The crack of the seed paper's section 4: 45 m, 0.10 m wide at the upstream mouth and 0.05 m at the downstream one, under
-/// 50 m of water upstream, its upstream mouth opening at a given rate and its downstream one at rest.
+/// The crack of the seed paper's section 4: 45 m, 0.10 m wide at the upstream mouth and 0.05 m at the downstream one,
+/// under 50 m of water upstream, its upstream mouth opening at a given rate and its downstream one at rest.
 
 #include <cmath>
 #include <utility>
@@ -27,7 +27,9 @@ inline Motion linear_motion(int segments, double first, double last, double firs
   return motion;
 }
 
-inline Motion reference_motion(int segments, double rate) { return linear_motion(segments, 0.10, 0.05, rate, 0.0); }
+inline Motion reference_motion(int segments, double rate) {
+  return linear_motion(segments, 0.10, 0.05, rate, 0.0);
+}
 
 inline constexpr Search all_searches[] = {Search::bisection, Search::itp, Search::toms748, Search::newton,
                                           Search::prefix_moments};

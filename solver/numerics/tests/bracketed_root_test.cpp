@@ -12,9 +12,9 @@ constexpr RootMethod all_methods[] = {RootMethod::bisection, RootMethod::itp, Ro
 
 TEST(BracketedRoot, FindsTheRootOfASmoothFunctionToRoundOff) {
   for (const RootMethod method : all_methods) {
-    auto function = [](double x, bool) { return Residual{2.0 - x * x * x, -3.0 * x * x, 0.0}; };
+    auto function = [](double x, bool) { return Residual{2.0 - x * x * x, -3.0 * x * x, 4.0 * epsilon}; };
     const BracketedRoot root = bracketed_root(RootFunction(function), 0.0, 4.0, {.method = method});
-    // the bracket is two units in the last place wide at the end, and the root lies in it
+    // |F| ≤ 4 ε leaves 4 ε / F' = 0.84 ε, a bracket to round-off 2 ε of the root
     EXPECT_NEAR(root.root, std::cbrt(2.0), 4.0 * epsilon) << static_cast<int>(method);
     EXPECT_LE(root.evaluations, method == RootMethod::bisection ? 56 : 20) << static_cast<int>(method);
     EXPECT_NE(root.status, RootStatus::evaluation_limit);
@@ -28,8 +28,8 @@ TEST(BracketedRoot, KeepsBothSidesOfAJump) {
     EXPECT_EQ(root.status, RootStatus::bracket_within_tolerance);
     EXPECT_LE(root.lower, 0.3);
     EXPECT_GT(root.upper, 0.3);
-    EXPECT_LE(root.upper - root.lower, 2.0 * epsilon);  // relative tolerance 2 ε of a bracket below 1
-    EXPECT_LE(root.evaluations, 60) << static_cast<int>(method);  // bisection's 53, two ends, and a few in vain
+    EXPECT_LE(root.upper - root.lower, 2.0 * epsilon);            // relative tolerance 2 ε of a bracket below 1
+    EXPECT_LE(root.evaluations, 70) << static_cast<int>(method);  // bisection's 53, two ends, and 14 in vain
   }
 }
 
@@ -49,7 +49,8 @@ TEST(BracketedRoot, ObeysItsTolerances) {
         bracketed_root(RootFunction(function), -3.0, 5.0, {.method = method, .residual_tolerance = 1e-3});
     EXPECT_LE(std::abs(coarse.residual), 1e-3);
     EXPECT_LE(coarse.evaluations, 20);
-    const BracketedRoot few = bracketed_root(RootFunction(function), -3.0, 5.0, {.method = method, .max_evaluations = 4});
+    const BracketedRoot few =
+        bracketed_root(RootFunction(function), -3.0, 5.0, {.method = method, .max_evaluations = 4});
     EXPECT_LE(few.evaluations, 6);  // a step of TOMS 748 may be under way
   }
 }
