@@ -125,7 +125,7 @@ void bisect(Search& search) {
   }
 }
 
-/// Interpolate, truncate, project with κ1 = 0.2/(b - a), κ2 = 2, n0 = 1 [Oliveira & Takahashi 2021, Algorithm 1].
+/// Interpolate, truncate, project with κ1 = 0.2/(b - a), κ2 = 2, n0 = 4 [Oliveira & Takahashi 2021, Algorithm 1].
 void interpolate_truncate_project(Search& search, double relative_tolerance) {
   if (search.visit_bounds()) return;
   BracketedRoot& bracket = search.result();
@@ -136,9 +136,10 @@ void interpolate_truncate_project(Search& search, double relative_tolerance) {
       around_zero ? 0.0 : std::min(std::abs(bracket.lower), std::abs(bracket.upper));  // at the root, at least
   const double goal = 0.5 * std::max(search.absolute_tolerance(), relative_tolerance * scale);
   const int halvings = static_cast<int>(std::ceil(std::log2(width0 / (2.0 * goal))));
+  constexpr int slack = 4;  // n0
   for (int step = 0;; ++step) {
     const double a = bracket.lower, b = bracket.upper, middle = search.middle();
-    const double radius = goal * std::exp2(std::max(0, halvings + 1 - step)) - 0.5 * (b - a);
+    const double radius = goal * std::exp2(std::max(0, halvings + slack - step)) - 0.5 * (b - a);
     const double fa = bracket.residual_lower, fb = bracket.residual_upper;
     const double secant = (fb * a - fa * b) / (fb - fa);
     const double side = middle >= secant ? 1.0 : -1.0;

@@ -22,7 +22,7 @@ namespace sunder::numerics {
 
 enum class RootMethod {
   bisection,
-  itp,      ///< interpolate, truncate, project: never more calls than bisection plus one [Oliveira & Takahashi 2021]
+  itp,      ///< interpolate, truncate, project: never more calls than bisection plus six [Oliveira & Takahashi 2021]
   toms748,  ///< inverse cubic interpolation [Alefeld, Potra & Shi 1995], from Boost.Math
   newton,   ///< Newton steps inside the bracket, halved where they do not converge; the only one that asks for slopes
 };
