@@ -183,6 +183,31 @@ def ladder(key, rungs, failing, quantity, axis_label, tolerance):
         return Figure(key, _element(figure, key, caption), caption)
 
 
+def convergence(key, series, quantity, size_label):
+    """Error over size h, log-log, with the slope between the two finest levels; `series`: name -> [(h, error)]."""
+    if not series or not all(len(line) > 1 for line in series.values()):
+        raise FigureError(f"{key}: fewer than two levels with an error")
+    with plt.rc_context(STYLE):
+        figure, axes = _axes(size_label, f"error of {quantity}", (SIZE[0], SIZE[1] - 0.3))
+        axes.set_xscale("log")
+        axes.set_yscale("log")
+        for i, (name, line) in enumerate(series.items()):
+            line = sorted(line)
+            sizes, errors = [h for h, _ in line], [max(e, 1e-17) for _, e in line]
+            slope = math.log(errors[1] / errors[0]) / math.log(sizes[1] / sizes[0])
+            label = f"{name}: " if name else ""
+            axes.plot(sizes, errors, color=SERIES[i % len(SERIES)], marker=MARKERS[i % len(MARKERS)],
+                      label=f"{label}slope {words.number(slope, 3)} at the fine end")
+        sizes = sorted({h for line in series.values() for h, _ in line})
+        step = max(1, math.ceil(len(sizes) / 6))
+        axes.set_xticks(sizes[::step], [words.number(h, 2) for h in sizes[::step]])
+        axes.xaxis.set_minor_locator(NullLocator())
+        _powers(axes.yaxis)
+        _legend(axes, 2 if len(series) > 1 else 1)
+        caption = f"Error of {quantity} over {size_label}"
+        return Figure(key, _element(figure, key, caption), caption)
+
+
 def cost(key, series, x_label, caption):
     """CPU time over size, log-log; `series`: name -> [(size, seconds)]."""
     if not series or not all(series.values()):

@@ -81,7 +81,8 @@ def _case_view(case):
     footer += f" · parts: {', '.join(case.modules)}" if case.modules else ""
     return {
         "case": case, "text": " ".join(text.split()), "checks": [_check_view(c) for c in case.checks],
-        "references": [_reference_view(r) for r in case.references], "orders": orders, "footer": footer,
+        "references": [_reference_view(r) for r in case.references], "orders": orders,
+        "order_figure": studies.convergence(case), "footer": footer,
         "setting_keys": [k.rsplit(".", 1)[-1].replace("_", " ") for k in keys], "error_names": errors,
         "settings": [{"cells": [dict(s.keys).get(k, "").strip('"') for k in keys], "standard": s.standard, "status": s.status,
                       "message": s.message, "errors": [words.error(s.errors[n]) if n in s.errors else "" for n in errors],

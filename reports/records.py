@@ -66,6 +66,8 @@ class Check:
     compared: int
     message: str
     orders: tuple
+    over: str = ""         # order: the key that is refined
+    over_counts: bool = False  # order: `over` is a number of divisions, h = 1 / value
 
     @property
     def slack(self):
@@ -246,7 +248,8 @@ def _case(o):
     settings = tuple(map(_setting, o.objects("settings")))
     sweep = _Object(o.take("sweep", dict), f"{o.where}: sweep")
     rung = o.optional("first_failing_rung", int)
-    case = Case(o.take("id", str), o.take("version", int), o.take("title", str), o.take("requirement", str), "",
+    identity = o.take("id", str)
+    case = Case(identity, o.take("version", int), o.take("title", str) or identity, o.take("requirement", str), "",
                 o.take("family", str), o.take("tier", str), (), o.take("status", str, STATUSES), o.take("message", str),
                 tuple(map(_reference, o.objects("references"))), tuple(map(_check, o.objects("checks"))), settings,
                 tuple(map(_negative, o.objects("negatives"))), Sweep(sweep.take("error", str), sweep.texts("series")),
@@ -300,6 +303,8 @@ def read_catalogue(*paths):
 
 def with_prose(case, folder):
     """The case with why, parts and reasons from its file in `folder`; both must be of one version."""
+    if not case.tier:  # the file does not follow the schema; the record says where, and fails
+        return case
     path = folder / f"{case.id}.case.toml"
     try:
         text = tomllib.loads(path.read_text(encoding="utf-8"))
@@ -319,7 +324,8 @@ def with_prose(case, folder):
             raise RecordError(f"{path}: check: {check.name!r} is in the record but not in the file; run ci/verify again")
         own = written[check.name]
         law = f"{own['law']}; " if "law" in own else ""
-        checks.append(replace(check, reason=law + own["reason"], reference_name=own.get("reference", "")))
+        checks.append(replace(check, reason=law + own["reason"], reference_name=own.get("reference", ""), over=own.get("over", ""),
+                              over_counts=own.get("counts", False)))
     return replace(case, why=text["why"], modules=tuple(text["modules"]), checks=tuple(checks))
 
 

@@ -60,6 +60,26 @@ def sweeps(cases):
     return [sweep(c) for c in cases if c.sweep.error and not c.ladder]
 
 
+def convergence(case):
+    """The figure behind the first order check of a case: the errors of its sweep over the size that is refined. None where
+    the sweep keeps no error, or where fewer than two levels of a curve have one."""
+    check = next((c for c in case.checks if c.kind == "order" and c.over), None)
+    if check is None or not case.sweep.error:
+        return None
+    series = {}
+    telling = [k for k in case.sweep.series if k != check.over]
+    for s in case.settings:
+        error, size = s.errors.get(case.sweep.error, math.nan), dict(s.keys).get(check.over)
+        if s.status == "pass" and size is not None and error > 0:
+            h = 1.0 / float(size) if check.over_counts else float(size)
+            series.setdefault(words.setting([(k, v) for k, v in s.keys if k in telling]), []).append((h, error))
+    series = {name: line for name, line in series.items() if len({h for h, _ in line}) > 1}
+    if not series:
+        return None
+    over = check.over.rsplit(".", 1)[-1].replace("_", " ")
+    return figures.convergence(f"order-{case.anchor}", series, case.sweep.error, f"1 / {over}" if check.over_counts else over)
+
+
 def _rung(setting, key):
     value = dict(setting.keys).get(key, "")
     try:

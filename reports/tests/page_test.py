@@ -93,7 +93,10 @@ class Contents(Folder):
 
     def test_first_failing_rung(self):
         ladders = {l["case"].id: l for l in view()["ladders"]}
-        self.assertEqual(ladders["stability/slivers"]["failing"], "10⁷: wrong value")
+        sliver = ladders["stability/slivers"]
+        self.assertEqual((sliver["failing"], sliver["failing_is_wrong"], sliver["refused"]), ("10⁷: refused", False, 2))
+        sliver = next(l for l in view(good=False)["ladders"] if l["case"].id == "stability/slivers")
+        self.assertEqual((sliver["failing"], sliver["failing_is_wrong"], sliver["refused"]), ("10⁷: wrong value", True, 1))
         self.assertEqual(ladders["stability/short-edges"]["failing"], "")
 
     def test_text_of_records_cannot_become_markup(self):
@@ -191,7 +194,7 @@ class InTheBrowser(unittest.TestCase):
                     self.assertEqual(browser.evaluate("document.documentElement.scrollWidth"), width)
                     self.assertEqual(browser.evaluate(OVERFLOWING), [])
                     drawn = browser.evaluate(FIGURES)
-                    self.assertEqual(len(drawn), 1 + 3 + 3 + 1)  # first screen, sweeps, ladders, benchmarks
+                    self.assertEqual(len(drawn), 1 + 3 + 3 + 1 + 1)  # first screen, sweeps, ladders, order, benchmarks
                     self.assertTrue(all(wide >= 300 and paths > 10 for wide, paths in drawn), drawn)
                     self.assertEqual(browser.console, [])
                     self.assertEqual(browser.requests, [self.page.resolve().as_uri()])

@@ -70,15 +70,15 @@ def sweep_case(identity, kind, quantity="K_I", scale=1.0):
                 negatives=[negative("sbfem/side-face-load-sign", [quantity])])
 
 
-def ladder_case(identity, failing=None):
+def ladder_case(identity, failing=None, wrong=False):
     rungs = [setting({"parameters.aspect": f"1e{k}"}, .001, {"force": 10.0 ** (k - 15)}) for k in range(9)]
     if failing is not None:
-        rungs[failing]["status"] = "wrong value"
-        rungs[failing]["errors"] = {"force": 3e-2}
-        for rung in rungs[failing + 1:]:
+        for rung in rungs[failing:]:
             rung.update(status="refused", message="polygon 0: aspect ratio above 1e7", errors={})
+    if wrong:
+        rungs[failing].update(status="wrong value", message="not a number", errors={"force": None})
     reached = len(rungs) if failing is None else failing
-    return case(identity, settings=rungs, first_failing_rung=reached,
+    return case(identity, status="wrong value" if wrong else "pass", settings=rungs, first_failing_rung=reached,
                 checks=[check("force", 1e-7, 1e-6, compared=9), own_check("ladder", "ladder"), own_check("parts", "contract")])
 
 
@@ -105,7 +105,7 @@ def catalogue(good=True):
              sweep={"error": "omega_1", "series": []},
              negatives=[negative("sbfem/mass-factor-two", ["omega_1"])]),
         case("modal/cantilever"), case("modal/koyna-empty"),
-        ladder_case("stability/slivers", 7), ladder_case("stability/short-edges"), ladder_case("stability/centre-near-an-edge"),
+        ladder_case("stability/slivers", 7, wrong=not good), ladder_case("stability/short-edges"), ladder_case("stability/centre-near-an-edge"),
     ]
     if not good:
         cases.append(case("sif/arc-crack", status="wrong value", message="K_II", checks=[check("K_I", 1e-9, 1e-6),
@@ -142,6 +142,8 @@ def case_file(record):
         if c["kind"] not in ("ladder", "contract"):
             lines += ["[[check]]"] + [f"{key} = {json.dumps(c[source], ensure_ascii=False)}" for key, source in (
                 ("name", "name"), ("reason", "reason"), ("reference", "reference_name")) if c[source]]
+            if c["kind"] == "order":
+                lines += ['over = "mesh.size"']
     return "\n".join(lines) + "\n"
 
 
