@@ -1,7 +1,5 @@
 #include "solver/mesh/msh_file.hpp"
 
-#include <gmsh.h>
-
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -11,7 +9,6 @@
 #include "solver/mesh/check_mesh.hpp"
 #include "solver/mesh/dual.hpp"
 #include "solver/mesh/edge_table.hpp"
-#include "solver/mesh/gmsh_session.hpp"
 #include "solver/mesh/mesh_error.hpp"
 #include "solver/mesh/msh_content.hpp"
 #include "solver/mesh/polygon_geometry.hpp"
@@ -116,54 +113,6 @@ void name_boundaries(PolygonMesh& mesh, const MshContent& content, const std::un
 }
 
 }  // namespace
-
-MshContent read_binary_msh(const std::filesystem::path& file) {
-  MshContent content;
-  const GmshSession session;
-  GmshSession::guarded(file.string(), [&] {
-    gmsh::merge(file.string());
-    std::vector<std::size_t> tags;
-    std::vector<double> xyz, parameters;
-    gmsh::model::mesh::getNodes(tags, xyz, parameters);
-    for (std::size_t i = 0; i < tags.size(); ++i) {
-      content.nodes.push_back({static_cast<long>(tags[i]), xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]});
-    }
-    std::vector<int> types;
-    gmsh::model::mesh::getElementTypes(types);
-    for (const int type : types) {
-      if (type != 1 && type != 2 && type != 3 && type != 15) {
-        throw MeshError(file.string() + ": element type " + std::to_string(type) +
-                        "; lines (1), triangles (2), quadrilaterals (3) of first order and points (15) are accepted");
-      }
-      if (type != 2 && type != 3) continue;
-      std::vector<std::size_t> elements, nodes;
-      gmsh::model::mesh::getElementsByType(type, elements, nodes);
-      for (std::size_t k = 0; k < nodes.size(); k += type + 1) {
-        MshContent::Cell cell{{}, type + 1, 0};
-        for (int j = 0; j <= type; ++j) cell.nodes[j] = static_cast<long>(nodes[k + j]);
-        content.cells.push_back(cell);
-      }
-    }
-    gmsh::vectorpair groups;
-    gmsh::model::getPhysicalGroups(groups, 1);
-    for (const auto& [dimension, group] : groups) {
-      std::string name;
-      gmsh::model::getPhysicalName(dimension, group, name);
-      if (name.empty()) name = std::to_string(group);
-      std::vector<int> curves;
-      gmsh::model::getEntitiesForPhysicalGroup(dimension, group, curves);
-      for (const int curve : curves) {
-        std::vector<std::size_t> elements, nodes;
-        gmsh::model::mesh::getElementsByType(1, elements, nodes, curve);
-        for (std::size_t k = 0; k + 1 < nodes.size(); k += 2) {
-          content.lines.push_back({{static_cast<long>(nodes[k]), static_cast<long>(nodes[k + 1])}, name, 0});
-        }
-      }
-    }
-  });
-  if (content.cells.empty()) throw MeshError(file.string() + ": the file has no triangles or quadrilaterals");
-  return content;
-}
 
 PolygonMesh read_msh(const std::filesystem::path& file, const MshOptions& options) {
   const std::string name = file.string(), text = file_text(file);

@@ -1,14 +1,12 @@
 #include "solver/mesh/triangulation.hpp"
 
-#include <gmsh.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "solver/mesh/check_mesh.hpp"
 #include "solver/mesh/dual.hpp"
-#include "solver/mesh/gmsh_session.hpp"
+#include "solver/mesh/gmsh_mesher.hpp"
 #include "solver/mesh/mesh_error.hpp"
 #include "solver/mesh/polygon_geometry.hpp"
 #include "solver/mesh/segments.hpp"
@@ -156,105 +154,47 @@ struct Normal {
     factor = std::ldexp(1.0, -std::ilogb(extent(points)));
   }
   Point to(const Point& x) const { return factor * (x - low); }
-  Point from(double x, double y) const { return low + Point(x, y) / factor; }
+  Point from(const Point& y) const { return low + y / factor; }
 };
 
-/// Builds the model; places and curves get the tags index + 1, the surface tag 1.
-void build_model(const Layout& layout, const Normal& normal) {
-  namespace geo = gmsh::model::geo;
-  for (std::size_t i = 0; i < layout.places.size(); ++i) {
-    const Point x = normal.to(layout.places[i]);
-    geo::addPoint(x.x(), x.y(), 0.0, 0.0, static_cast<int>(i) + 1);
-  }
-  std::vector<int> embedded_curves, embedded_points;
-  for (std::size_t c = 0; c < layout.curves.size(); ++c) {
-    geo::addLine(layout.curves[c].from + 1, layout.curves[c].to + 1, static_cast<int>(c) + 1);
-    if (layout.curves[c].outline_edge < 0) embedded_curves.push_back(static_cast<int>(c) + 1);
-  }
-  std::vector<int> loops;
-  for (const auto& loop : layout.loops) {
-    std::vector<int> tags;
-    for (const int c : loop) tags.push_back(c + 1);
-    loops.push_back(geo::addCurveLoop(tags));
-  }
-  geo::addPlaneSurface(loops, 1);
-  geo::synchronize();
-  for (const int p : layout.inner_points) embedded_points.push_back(p + 1);
-  if (!embedded_curves.empty()) gmsh::model::mesh::embed(1, embedded_curves, 2, 1);
-  if (!embedded_points.empty()) gmsh::model::mesh::embed(0, embedded_points, 2, 1);
+PlaneModel model_of(const Layout& layout, const Normal& normal) {
+  PlaneModel model;
+  for (const Point& x : layout.places) model.points.push_back(normal.to(x));
+  for (const Curve& c : layout.curves) model.curves.push_back({c.from, c.to, c.outline_edge < 0});
+  model.loops = layout.loops;
+  model.inner_points = layout.inner_points;
+  return model;
 }
 
-void generate(const SizeField& size, const Normal& normal) {
-  gmsh::option::setNumber("Mesh.Algorithm",
-                          6);  // Frontal-Delaunay: the most regular triangles, so the most regular dual
-  gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
-  gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", 0);
-  gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 0);
-  gmsh::option::setNumber("Mesh.MaxNumThreads2D", 1);
-  gmsh::model::mesh::setSizeCallback(
-      [&](int, int, double x, double y, double) { return size.at(normal.from(x, y)) * normal.factor; });
-  gmsh::model::mesh::generate(2);
-  gmsh::model::mesh::removeSizeCallback();
-}
-
-/// Vertex number of every gmsh node tag (-1: none), the vertices' places taken from the layout wherever they lie on it.
-struct Nodes {
-  std::vector<int> vertex_of_tag;
+/// The body's own places: those of the layout exactly, those on its curves on the straight line.
+std::vector<Point> places_of(const PlaneTriangles& triangles, const Layout& layout, const Normal& normal) {
   std::vector<Point> places;
-};
-
-Nodes read_nodes(const Layout& layout, const Normal& normal) {
-  std::vector<std::size_t> tags;
-  std::vector<double> xyz, parameters;
-  gmsh::model::mesh::getNodes(tags, xyz, parameters, -1, -1, false, false);
-  Nodes nodes;
-  std::vector<std::size_t> order(tags.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return tags[a] < tags[b]; });
-  nodes.vertex_of_tag.assign(tags.empty() ? 0 : tags[order.back()] + 1, -1);
-  for (const std::size_t i : order) {
-    nodes.vertex_of_tag[tags[i]] = static_cast<int>(nodes.places.size());
-    nodes.places.push_back(normal.from(xyz[3 * i], xyz[3 * i + 1]));
-  }
+  places.reserve(triangles.places.size());
+  for (const Point& y : triangles.places) places.push_back(normal.from(y));
   for (std::size_t c = 0; c < layout.curves.size(); ++c) {
     const Point a = layout.places[layout.curves[c].from], b = layout.places[layout.curves[c].to];
-    gmsh::model::mesh::getNodes(tags, xyz, parameters, 1, static_cast<int>(c) + 1, false, false);
-    for (const std::size_t tag : tags) {
-      Point& x = nodes.places[nodes.vertex_of_tag[tag]];
-      const double t = (x - a).dot(b - a) / (b - a).squaredNorm();
-      x = (1.0 - t) * a + t * b;
+    for (const int node : triangles.curve_nodes[c]) {
+      const double t = (places[node] - a).dot(b - a) / (b - a).squaredNorm();
+      places[node] = (1.0 - t) * a + t * b;
     }
   }
   for (std::size_t p = 0; p < layout.places.size(); ++p) {
-    gmsh::model::mesh::getNodes(tags, xyz, parameters, 0, static_cast<int>(p) + 1, false, false);
-    for (const std::size_t tag : tags) nodes.places[nodes.vertex_of_tag[tag]] = layout.places[p];
+    for (const int node : triangles.point_nodes[p]) places[node] = layout.places[p];
   }
-  return nodes;
+  return places;
 }
 
-/// Node tags of all elements of one type on one entity, one element after another.
-std::vector<std::size_t> element_nodes(int type, int entity) {
-  std::vector<std::size_t> elements, nodes;  // gmsh takes vectors that are not empty for storage of the right size
-  gmsh::model::mesh::getElementsByType(type, elements, nodes, entity);
-  return nodes;
-}
-
-PolygonMesh read_mesh(const Outline& outline, const Layout& layout, const Normal& normal) {
-  Nodes nodes = read_nodes(layout, normal);
+PolygonMesh mesh_of(const PlaneTriangles& triangles, const Outline& outline, const Layout& layout,
+                    const Normal& normal) {
   PolygonMesh mesh;
-  const std::vector<std::size_t> corners = element_nodes(2, 1);
-  mesh.polygons.reserve(corners.size() / 3);
-  for (std::size_t k = 0; k + 2 < corners.size(); k += 3) {
-    std::vector<int> v{nodes.vertex_of_tag[corners[k]], nodes.vertex_of_tag[corners[k + 1]],
-                       nodes.vertex_of_tag[corners[k + 2]]};
-    if (twice_area(nodes.places[v[0]], nodes.places[v[1]], nodes.places[v[2]]) < 0.0) std::swap(v[1], v[2]);
-    const Point centre = (nodes.places[v[0]] + nodes.places[v[1]] + nodes.places[v[2]]) / 3.0;
-    mesh.polygons.push_back({.vertices = std::move(v), .scaling_centre = centre});
+  mesh.vertices = places_of(triangles, layout, normal);
+  const std::vector<Point>& x = mesh.vertices;
+  mesh.polygons.reserve(triangles.triangles.size());
+  for (const auto& [a, b, c] : triangles.triangles) {
+    std::vector<int> v{a, b, c};
+    if (twice_area(x[a], x[b], x[c]) < 0.0) std::swap(v[1], v[2]);
+    mesh.polygons.push_back({.vertices = std::move(v), .scaling_centre = (x[a] + x[b] + x[c]) / 3.0});
   }
-  mesh.vertices = std::move(nodes.places);
-  if (mesh.polygons.empty())
-    throw MeshError("gmsh made no triangles of the outline from " + place(outline.vertices[0]));
-
   std::vector<std::string> name(outline.edge_count());
   for (const auto& [boundary, edges] : outline.boundaries) {
     mesh.boundaries[boundary];
@@ -263,10 +203,8 @@ PolygonMesh read_mesh(const Outline& outline, const Layout& layout, const Normal
   for (std::size_t c = 0; c < layout.curves.size(); ++c) {
     const int edge = layout.curves[c].outline_edge;
     if (edge < 0 || name[edge].empty()) continue;
-    const std::vector<std::size_t> ends = element_nodes(1, static_cast<int>(c) + 1);
-    for (std::size_t k = 0; k + 1 < ends.size(); k += 2) {
-      mesh.boundaries[name[edge]].push_back({nodes.vertex_of_tag[ends[k]], nodes.vertex_of_tag[ends[k + 1]]});
-    }
+    std::vector<Edge>& named = mesh.boundaries[name[edge]];
+    named.insert(named.end(), triangles.curve_edges[c].begin(), triangles.curve_edges[c].end());
   }
   orient_boundaries(mesh);
   return mesh;
@@ -285,14 +223,12 @@ PolygonMesh triangulate(const Outline& outline, const TriangulationOptions& opti
                     "; choose larger sizes or raise it");
   }
   const Normal normal(outline.vertices);
-  PolygonMesh mesh;
-  const GmshSession session;
-  GmshSession::guarded("meshing the outline from " + place(outline.vertices[0]), [&] {
-    build_model(layout, normal);
-    generate(options.size, normal);
-    mesh = read_mesh(outline, layout, normal);
-  });
-  return mesh;
+  const PlaneTriangles triangles = triangulate_plane(
+      model_of(layout, normal), [&](const Point& y) { return options.size.at(normal.from(y)) * normal.factor; });
+  if (triangles.triangles.empty()) {
+    throw MeshError("gmsh made no triangles of the outline from " + place(outline.vertices[0]));
+  }
+  return mesh_of(triangles, outline, layout, normal);
 }
 
 PolygonMesh triangle_mesh(const Outline& outline, const TriangulationOptions& options) {
