@@ -88,6 +88,19 @@ std::shared_ptr<const Table<Refinement>> refinement_table() {
                                .meaning = "target polygon size inside it"})}});
 }
 
+std::shared_ptr<const Table<Grading>> grading_table() {
+  return std::make_shared<const Table<Grading>>(Table<Grading>{
+      "mesh.grade",
+      "mesh.grade = [{ corner = …, layers = …, ratio = … }, …]",
+      "ever shorter edges towards a corner of a body that is one polygon",
+      {key(&Grading::corner, {.name = "corner", .unit = "m", .required = true, .meaning = "a vertex of the outline"}),
+       key(&Grading::layers,
+           {.name = "layers", .range = between(1, 40), .required = true, .meaning = "how many edges"}),
+       key(&Grading::ratio, {.name = "ratio",
+                             .range = {.low = 0.0, .high = 1.0, .low_open = true, .high_open = true},
+                             .meaning = "of each distance to the one before"})}});
+}
+
 /// Polygons written out: the keys `vertices`, `polygons` and `boundaries` of [mesh].
 PolygonList& list_of(Mesh& mesh) {
   return mesh.list ? *mesh.list : mesh.list.emplace();
@@ -127,6 +140,8 @@ void check_mesh(const Node& node, Mesh& mesh, const std::string& path, Findings&
     findings.add(node.find("dual")->origin, path + ".dual",
                  "is for a mesh from a file; accepted: together with mesh.file");
   if (mesh.list) check_polygon_list(node, *mesh.list, path, findings);
+  if (!mesh.grade.empty() && mesh.cells != Cells::one)
+    findings.add(node.find("grade")->key_origin, path + ".grade", "is for one polygon; accepted: with cells = \"one\"");
   for (const char* name : {"cells", "size", "refine"})
     if (node.has(name) && (mesh.file || mesh.list))
       findings.add(node.find(name)->key_origin, path + "." + name,
@@ -144,7 +159,8 @@ std::vector<Key<Mesh>> polygon_list_keys() {
                    {.name = "boundaries", .range = at_least(0), .meaning = "names for edges, by their two vertices"})};
 }
 
-Table<Mesh> mesh_table(const std::shared_ptr<const Table<Refinement>>& refinement) {
+Table<Mesh> mesh_table(const std::shared_ptr<const Table<Refinement>>& refinement,
+                       const std::shared_ptr<const Table<Grading>>& grading) {
   const auto order = between(1, highest_order);
   Table<Mesh> table{
       "mesh",
@@ -169,6 +185,7 @@ Table<Mesh> mesh_table(const std::shared_ptr<const Table<Refinement>>& refinemen
        key(&Mesh::edge_size,
            {.name = "edge_size", .unit = "m", .range = positive(), .meaning = "longer polygon edges are divided"}),
        tables_key(&Mesh::refine, refinement, {.name = "refine", .meaning = "discs with smaller polygons"}),
+       tables_key(&Mesh::grade, grading, {.name = "grade", .meaning = "graded edges; only with cells = \"one\""}),
        key(&Mesh::max_polygons,
            {.name = "max_polygons", .range = at_least(1), .meaning = "a mesh estimated to exceed it is refused"}),
        key(&Mesh::file,
@@ -326,8 +343,10 @@ Table<Modal> modal_table() {
 
 std::vector<Part> body_parts() {
   const auto refinement = refinement_table();
+  const auto grading = grading_table();
   return {one_part<Geometry>(&Scene::geometry, geometry_table()),
-          one_part<Mesh>(&Scene::mesh, mesh_table(refinement), {reference_of(*refinement)}),
+          one_part<Mesh>(&Scene::mesh, mesh_table(refinement, grading),
+                         {reference_of(*refinement), reference_of(*grading)}),
           one_part<material::Isotropic>(&Scene::material, material_table()),
           list_part(&Scene::regions, region_table()),
           list_part(&Scene::cracks, crack_table()),

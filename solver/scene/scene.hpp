@@ -36,6 +36,13 @@ struct Refinement {
   double size;    ///< [m], > 0
 };
 
+/// Ever shorter edges towards a corner of a one-polygon body: at length · ratio^k from it, k = 1 … layers.
+struct Grading {
+  Point corner;         ///< a vertex of the outline [m]
+  int layers;           ///< 1 … 40
+  double ratio = 0.15;  ///< > 0, < 1
+};
+
 enum class Cells {
   dual,       ///< polygons around the vertices of gmsh's triangles (default)
   triangles,  ///< gmsh's triangles themselves
@@ -58,6 +65,7 @@ struct Mesh {
   std::optional<int> tip_edges;     ///< least number of edges of a crack polygon; absent: chosen
   std::optional<double> edge_size;  ///< edges longer than this are divided [m]
   std::vector<Refinement> refine;
+  std::vector<Grading> grade;  ///< only with cells = "one"
   long max_polygons = 2'000'000;
   std::optional<std::filesystem::path> file;  ///< gmsh .msh 2.2 or 4.1, resolved against the scene's folder
   bool dual = false;                          ///< with `file`: form the dual polygons

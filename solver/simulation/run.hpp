@@ -11,9 +11,9 @@
 namespace sunder::simulation {
 
 struct RunOptions {
-  int threads = 1;                                            ///< >= 1; the results are the same bits for any number
-  std::function<void(std::string_view phase, double fraction)> progress;  ///< may be empty; fraction in 0 … 1
-  const std::atomic<bool>* stop = nullptr;                    ///< set to end the run early, with what was reached
+  int threads = 1;  ///< >= 1; the results are the same bits for any number
+  std::function<void(std::string_view phase, double fraction)> progress = {};  ///< may be empty; fraction in 0 … 1
+  const std::atomic<bool>* stop = nullptr;  ///< set to end the run early, with what was reached
 };
 
 /// Runs the scene. Throws mesh::MeshError or scene::SceneError where the scene cannot be used; numerical trouble is a

@@ -1,0 +1,19 @@
+#pragma once
+/// The analyses that `run` chooses from, each from a body to the quantities of the summary.
+
+#include "solver/numerics/thread_pool.hpp"
+#include "solver/results/run_summary.hpp"
+#include "solver/scene/scene.hpp"
+#include "solver/simulation/body.hpp"
+#include "solver/simulation/ledger.hpp"
+#include "solver/simulation/run.hpp"
+
+namespace sunder::simulation {
+
+void run_static(const scene::Scene& scene, const Body& body, const RunOptions& options, numerics::ThreadPool& pool,
+                Ledger& ledger, results::RunSummary& summary);
+
+void run_modal(const scene::Scene& scene, const Body& body, const RunOptions& options, numerics::ThreadPool& pool,
+               Ledger& ledger, results::RunSummary& summary);
+
+}  // namespace sunder::simulation

@@ -1,0 +1,168 @@
+#include "solver/simulation/body.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "solver/crack/insert_crack.hpp"
+#include "solver/mesh/msh_file.hpp"
+
+#include "solver/mesh/sources.hpp"
+#include "solver/mesh/triangulation.hpp"
+
+namespace sunder::simulation {
+namespace {
+
+using mesh::Point;
+
+mesh::Outline outline_of(const scene::Geometry& geometry) {
+  return {.vertices = geometry.outline, .holes = geometry.holes, .boundaries = geometry.boundaries};
+}
+
+double length_of(const std::vector<Point>& path) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < path.size(); ++i) length += (path[i] - path[i - 1]).norm();
+  return length;
+}
+
+/// The scene's sizes, and polygons no larger than half a crack along it: its tip polygon must fit inside.
+mesh::SizeField size_field(const scene::Scene& scene) {
+  mesh::SizeField field{.size = scene.mesh.size.value_or(std::numeric_limits<double>::infinity())};
+  for (const scene::Refinement& refinement : scene.mesh.refine) {
+    field.refinements.push_back({.centre = refinement.centre, .radius = refinement.radius, .size = refinement.size});
+  }
+  for (const scene::Crack& crack : scene.cracks) {
+    const double half = 0.5 * length_of(crack.path);
+    if (half < field.size) field.lines.push_back({.path = crack.path, .radius = half, .size = half});
+  }
+  return field;
+}
+
+mesh::PolygonMesh mesh_of_outline(const scene::Scene& scene) {
+  const mesh::Outline outline = outline_of(*scene.geometry);
+  const scene::Mesh& wanted = scene.mesh;
+  switch (wanted.cells) {
+    case scene::Cells::one: {
+      mesh::SizeField edge_size{.size = wanted.edge_size.value_or(std::numeric_limits<double>::infinity())};
+      std::vector<mesh::CornerLayers> corners;
+      for (const scene::Grading& grading : wanted.grade) {
+        corners.push_back({.corner = grading.corner, .layers = grading.layers, .ratio = grading.ratio});
+      }
+      return mesh::one_polygon(outline, edge_size, corners);
+    }
+    case scene::Cells::squares:
+      return mesh::square_grid(outline, *wanted.size, wanted.max_polygons);
+    case scene::Cells::dual:
+    case scene::Cells::triangles: {
+      mesh::TriangulationOptions options{.size = size_field(scene), .max_polygons = wanted.max_polygons};
+      for (const scene::Crack& crack : scene.cracks) options.paths.push_back(crack.path);
+      return wanted.cells == scene::Cells::dual ? mesh::dual_mesh(outline, options)
+                                                : mesh::triangle_mesh(outline, options);
+    }
+  }
+  throw std::invalid_argument("unknown kind of cells");
+}
+
+mesh::PolygonMesh uncracked_mesh(const scene::Scene& scene) {
+  if (scene.mesh.list) {
+    const scene::PolygonList& list = *scene.mesh.list;
+    return mesh::listed_polygons(list.vertices, list.polygons, list.boundaries);
+  }
+  if (scene.mesh.file) {
+    return mesh::read_msh(*scene.mesh.file, {.dual = scene.mesh.dual, .max_polygons = scene.mesh.max_polygons});
+  }
+
+  return mesh_of_outline(scene);
+}
+
+bool inside(const std::vector<Point>& outline, const Point& x) {
+  bool odd = false;
+  for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
+    const Point &a = outline[i], &b = outline[j];
+    if ((a.y() > x.y()) != (b.y() > x.y()) && x.x() < (b.x() - a.x()) * (x.y() - a.y()) / (b.y() - a.y()) + a.x()) {
+      odd = !odd;
+    }
+  }
+  return odd;
+}
+
+void assign_materials(const scene::Scene& scene, mesh::PolygonMesh& polygons) {
+  for (mesh::Polygon& polygon : polygons.polygons) {
+    for (std::size_t i = 0; i < scene.regions.size(); ++i) {
+      if (inside(scene.regions[i].outline, polygon.scaling_centre)) polygon.material = static_cast<int>(i) + 1;
+    }
+  }
+}
+
+void insert_cracks(const scene::Scene& scene, mesh::PolygonMesh& polygons, Ledger& ledger) {
+  crack::CutOptions options;
+  if (scene.mesh.cells == scene::Cells::one && !scene.mesh.list && !scene.mesh.file) {
+    options.tip_edges = 1;  // edge_size and grade say how the one polygon's edges are divided
+    options.tip_edge_ratio = std::numeric_limits<double>::infinity();
+  }
+  if (scene.mesh.tip_edges) options.tip_edges = *scene.mesh.tip_edges;
+  for (std::size_t i = 0; i < scene.cracks.size(); ++i) {
+    const Ledger::Visit visit(ledger, "crack", "mesh");
+    crack::insert_crack(polygons, {.points = scene.cracks[i].path, .inner = scene.cracks[i].inner}, static_cast<int>(i),
+                        options);
+  }
+}
+
+/// On a coarse tip polygon the edges' order decides K_I, and raising it costs next to nothing (measured: README).
+int tip_order(const scene::Mesh& mesh) {
+  if (mesh.tip_order) return *mesh.tip_order;
+  return mesh.cells == scene::Cells::one ? mesh.order : mesh.order + 1;
+}
+
+}  // namespace
+
+Body build_body(const scene::Scene& scene, Ledger& ledger) {
+  Body body;
+  {
+    const Ledger::Visit visit(ledger, "mesh", "mesh");
+    body.polygons = uncracked_mesh(scene);
+    assign_materials(scene, body.polygons);
+  }
+  if (!scene.cracks.empty()) insert_cracks(scene, body.polygons, ledger);
+  {
+    Ledger::Visit visit(ledger, "mesh", "mesh");
+    const int at_tip = tip_order(scene.mesh), elsewhere = scene.mesh.order;
+    body.nodes = mesh::place_nodes(body.polygons, [&](int polygon, int /*edge*/) {
+      return body.polygons.polygons[polygon].open ? at_tip : elsewhere;
+    });
+    visit.add_entries(body.nodes.coordinates().size());
+  }
+  if (scene.material) body.materials.push_back(*scene.material);
+  for (const scene::Region& region : scene.regions) body.materials.push_back(region.material);
+  return body;
+}
+
+std::vector<PolygonEdge> find_edges(const mesh::PolygonMesh& mesh, const std::vector<mesh::Edge>& edges) {
+  const auto key = [](const mesh::Edge& edge) {
+    const auto [low, high] = std::minmax(edge[0], edge[1]);
+    return (static_cast<unsigned long long>(low) << 32) | static_cast<unsigned>(high);
+  };
+  std::unordered_map<unsigned long long, std::size_t> wanted;
+  for (std::size_t i = 0; i < edges.size(); ++i) wanted.emplace(key(edges[i]), i);
+  std::vector<PolygonEdge> found(edges.size());
+  for (std::size_t p = 0; p < mesh.polygons.size(); ++p) {
+    const mesh::Polygon& polygon = mesh.polygons[p];
+    for (int e = 0; e < polygon.edge_count(); ++e) {
+      const auto match = wanted.find(key(polygon.edge(e)));
+      if (match != wanted.end()) found[match->second] = {static_cast<int>(p), e};
+    }
+  }
+  return found;
+}
+
+std::vector<int> boundary_nodes(const Body& body, const std::string& boundary) {
+  std::vector<int> nodes;
+  for (const PolygonEdge& place : find_edges(body.polygons, body.polygons.boundaries.at(boundary))) {
+    const std::vector<int> on_edge = body.nodes.edge_nodes(place.polygon, place.edge);
+    nodes.insert(nodes.end(), on_edge.begin(), on_edge.end());
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+}  // namespace sunder::simulation

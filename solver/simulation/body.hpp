@@ -1,0 +1,38 @@
+#pragma once
+/// The body of a scene: its polygons with the cracks in them, its nodes and its materials.
+
+#include <string>
+#include <vector>
+
+#include "solver/material/isotropic.hpp"
+#include "solver/mesh/nodal_mesh.hpp"
+#include "solver/mesh/polygon_mesh.hpp"
+#include "solver/scene/scene.hpp"
+#include "solver/simulation/ledger.hpp"
+
+namespace sunder::simulation {
+
+struct Body {
+  mesh::PolygonMesh polygons;
+  mesh::NodalMesh nodes;
+  std::vector<material::Isotropic> materials;  ///< by mesh::Polygon::material; the first is the scene's own
+
+  int dofs() const { return 2 * nodes.node_count(); }
+};
+
+/// Meshes the scene, cuts its cracks and places the nodes. Throws mesh::MeshError, crack::CrackError or
+/// scene::SceneError where that cannot be done.
+[[nodiscard]] Body build_body(const scene::Scene& scene, Ledger& ledger);
+
+/// An edge of a polygon of the mesh.
+struct PolygonEdge {
+  int polygon = -1, edge = -1;
+};
+
+/// Where each of `edges` (by its vertices, in either sense) lies; both -1 where no polygon has it.
+[[nodiscard]] std::vector<PolygonEdge> find_edges(const mesh::PolygonMesh& mesh, const std::vector<mesh::Edge>& edges);
+
+/// The nodes of a named boundary, each once, ascending.
+[[nodiscard]] std::vector<int> boundary_nodes(const Body& body, const std::string& boundary);
+
+}  // namespace sunder::simulation

@@ -1,0 +1,54 @@
+#include "solver/simulation/run.hpp"
+
+#include <stdexcept>
+
+#include "solver/simulation/analyses.hpp"
+#include "solver/simulation/body.hpp"
+
+namespace sunder::simulation {
+namespace {
+
+const char* word(scene::Analysis analysis) {
+  switch (analysis) {
+    case scene::Analysis::static_:
+      return "static";
+    case scene::Analysis::modal:
+      return "modal";
+    case scene::Analysis::dynamic:
+      return "dynamic";
+    case scene::Analysis::crack_water:
+      return "crack-water";
+    case scene::Analysis::response:
+      return "response";
+  }
+  return "unknown";
+}
+
+}  // namespace
+
+results::RunSummary run(const scene::Scene& scene, const RunOptions& options) {
+  numerics::ThreadPool pool(options.threads);
+  Ledger ledger;
+  results::RunSummary summary;
+  summary.name = scene.name;
+  summary.analysis = word(scene.analysis);
+  summary.threads = options.threads;
+  if (options.progress) options.progress("mesh", 0.0);
+  const Body body = build_body(scene, ledger);
+  summary.mesh = {.polygons = body.nodes.polygon_count(), .nodes = body.nodes.node_count(), .dofs = body.dofs()};
+
+  if (options.stop != nullptr && options.stop->load()) {
+    summary.status = "stopped: interrupted after meshing";
+  } else if (scene.analysis == scene::Analysis::static_) {
+    run_static(scene, body, options, pool, ledger, summary);
+  } else if (scene.analysis == scene::Analysis::modal) {
+    run_modal(scene, body, options, pool, ledger, summary);
+  } else {
+    throw std::invalid_argument(std::string("analysis \"") + word(scene.analysis) + "\" is not built yet");
+  }
+  ledger.close(summary);
+  if (options.progress) options.progress("done", 1.0);
+  return summary;
+}
+
+}  // namespace sunder::simulation

@@ -1,0 +1,98 @@
+#include <numbers>
+#include <vector>
+
+#include "solver/sbfem/assembly.hpp"
+#include "solver/sbfem/formation.hpp"
+#include "solver/sbfem/radial_bubbles.hpp"
+#include "solver/simulation/analyses.hpp"
+#include "solver/simulation/free_vibration.hpp"
+#include "solver/simulation/static_loads.hpp"
+
+namespace sunder::simulation {
+namespace {
+
+/// Bubbles of all polygons, numbered polygon by polygon.
+void add_bubbles(const Body& body, int interior_order, numerics::ThreadPool& pool, VibratingBody& vibrating) {
+  std::vector<sbfem::RadialBubbles> bubbles(body.nodes.polygon_count());
+  pool.parallel_for(body.nodes.polygon_count(), [&](int index) {
+    const sbfem::Coefficients coefficients =
+        sbfem::coefficients(sbfem::boundary_of(body.nodes, index), body.materials[body.nodes.polygon(index).material]);
+    const sbfem::PolygonSolution solution = sbfem::solve_polygon(coefficients);
+    bubbles[index] = sbfem::radial_bubbles(coefficients, solution, sbfem::mass(coefficients, solution), interior_order);
+  });
+  std::vector<Eigen::Triplet<double>> coupling;
+  std::vector<double> omega_squared;
+  for (int i = 0; i < body.nodes.polygon_count(); ++i) {
+    const mesh::NodalPolygon polygon = body.nodes.polygon(i);
+    for (Eigen::Index b = 0; b < bubbles[i].omega_squared.size(); ++b) {
+      const int column = static_cast<int>(omega_squared.size());
+      for (Eigen::Index row = 0; row < bubbles[i].coupling.rows(); ++row) {
+        coupling.emplace_back(2 * polygon.nodes[row / 2] + row % 2, column, bubbles[i].coupling(row, b));
+      }
+      omega_squared.push_back(bubbles[i].omega_squared[b]);
+    }
+  }
+  vibrating.bubble_omega_squared = Eigen::Map<const Eigen::VectorXd>(omega_squared.data(), std::ssize(omega_squared));
+  vibrating.bubble_coupling.resize(body.dofs(), vibrating.bubble_omega_squared.size());
+  vibrating.bubble_coupling.setFromTriplets(coupling.begin(), coupling.end());
+}
+
+std::string status_of(const FreeVibration& vibration) {
+  switch (vibration.status) {
+    case VibrationStatus::converged:
+      return "completed";
+    case VibrationStatus::not_converged:
+      return "stopped: the Lanczos iteration did not converge for every mode; those found are listed";
+    case VibrationStatus::not_positive_definite:
+      return "stopped: the stiffness matrix is not positive definite; a part of the body hangs by round-off only";
+    case VibrationStatus::mode_missed:
+      return "stopped: a mode below the last one listed was missed; ask for more modes (modal.count)";
+  }
+  return "stopped";
+}
+
+}  // namespace
+
+void run_modal(const scene::Scene& scene, const Body& body, const RunOptions& options, numerics::ThreadPool& pool,
+               Ledger& ledger, results::RunSummary& summary) {
+  const auto report = [&](std::string_view phase, double fraction) {
+    if (options.progress) options.progress(phase, fraction);
+  };
+  const Supports supports = supports_of(scene, body, true);
+  const bool floating = !free_motions(body.nodes, supports.constraints).empty();
+  const scene::Modal modal = scene.modal.value_or(scene::Modal{});
+
+  report("polygons", 0.2);
+  VibratingBody vibrating;
+  {
+    Ledger::Visit visit(ledger, "sbfem", "polygons");
+    const sbfem::Formation formation = sbfem::form(body.nodes, body.materials, {.with_mass = true, .pool = &pool});
+    vibrating.stiffness = sbfem::assemble_stiffness(body.nodes, formation, &pool);
+    vibrating.mass = sbfem::assemble_mass(body.nodes, formation, &pool);
+    if (modal.interior_order > 0) add_bubbles(body, modal.interior_order, pool, vibrating);
+    visit.add_entries(vibrating.stiffness.nonZeros() + vibrating.mass.nonZeros() +
+                      vibrating.bubble_coupling.nonZeros());
+  }
+
+  report("modes", 0.5);
+  Ledger::Visit visit(ledger, "numerics", "modes");
+  const FreeVibration vibration = free_vibration(vibrating, supports.constraints, modal.count, floating);
+  visit.add_entries(vibration.factor_entries);
+  ledger.count("factorisations");
+  ledger.count("back_substitutions", vibration.solves);
+  summary.status = status_of(vibration);
+  if (vibration.omega.size() == 0) return;
+  if (!vibration.counted) {
+    summary.warnings.push_back("whether a mode was missed was not counted: the body has too many degrees of freedom");
+  }
+
+  const Eigen::VectorXd hertz = vibration.omega / (2.0 * std::numbers::pi);
+  summary.quantities["frequencies"] = results::Quantity(std::vector<double>(hertz.begin(), hertz.end()));
+  results::Quantity::List participation;
+  for (Eigen::Index i = 0; i < vibration.participation.cols(); ++i) {
+    participation.emplace_back(results::Quantity::List{vibration.participation(0, i), vibration.participation(1, i)});
+  }
+  summary.quantities["participation"] = std::move(participation);
+}
+
+}  // namespace sunder::simulation
