@@ -1,8 +1,9 @@
 # sunder_module(<name> FLOOR <n> [DEPENDS <module>...] [LIBRARIES <target>...])
 #
 # One library `sunder_<name>` of solver/<name>/*.cpp and, where solver/<name>/tests/*_test.cpp exist, one test program
-# `<name>_test`. A module may depend only on modules of lower floors; anything else stops the configuration. The include
-# lines are held to the same table by ci/check-layers, which reads the file `layers.txt` written here.
+# `<name>_test`; a main.cpp is left to the program that it belongs to. A module may depend only on modules of lower
+# floors; anything else stops the configuration. The include lines are held to the same table by ci/check-layers, which
+# reads the file `layers.txt` written here.
 #
 # Sources that plant faults (they include numerics/planted_fault.hpp) are compiled a second time with the faults alive, as
 # objects that only the test program `sunder-verify-faulted` links (property SUNDER_FAULTED_OBJECTS).
@@ -22,6 +23,7 @@ function(sunder_module name)
   file(APPEND ${PROJECT_BINARY_DIR}/layers.txt "${name} ${arg_FLOOR} ${depends}\n")
 
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
   list(TRANSFORM arg_DEPENDS PREPEND sunder_ OUTPUT_VARIABLE modules)
   if(sources)
     add_library(sunder_${name} STATIC ${sources})

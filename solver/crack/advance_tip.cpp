@@ -45,26 +45,33 @@ Advance advance_tip(mesh::PolygonMesh& mesh, int crack, const mesh::Point& tip, 
   if (back.dot(way) < -1e-9 * back.norm() * way.norm())
     return refused("the crack would turn back by more than 90 degrees", from);
 
-  mesh::PolygonMesh result = mesh;
-  try {
-    Cutter cutter(result, options);
-    cutter.reopen(crack);
-    Front front{cutter.tip_vertex(crack), cutter.spike_polygon(crack)};
-    if (front.polygon < 0) return refused("the faces of the crack do not fit its tip polygon", from);
-    cutter.set_tip(crack, -1);
-    const LegEnd end =
-        run_leg(cutter, crack, front, {.target = tip, .tip = true, .end_clearance = options.tip_clearance});
-    const mesh::Point reached = cutter.at(front.vertex);
-    for (int c = 0; c < static_cast<int>(result.cracks.size()); ++c) {
-      if (cutter.tip_vertex(c) >= 0) shape_tip(cutter, c);
+  std::string reason;
+  for (const double factor : clearance_attempts) {
+    mesh::PolygonMesh result = mesh;
+    CutOptions attempt = options;
+    attempt.tip_clearance *= factor;
+    try {
+      Cutter cutter(result, attempt);
+      cutter.reopen(crack);
+      Front front{cutter.tip_vertex(crack), cutter.spike_polygon(crack)};
+      if (front.polygon < 0) return refused("the faces of the crack do not fit its tip polygon", from);
+      cutter.set_tip(crack, -1);
+      // How near to a face the crack ends does not depend on the attempt.
+      const LegEnd end =
+          run_leg(cutter, crack, front, {.target = tip, .tip = true, .end_clearance = options.tip_clearance});
+      const mesh::Point reached = cutter.at(front.vertex);
+      for (int c = 0; c < static_cast<int>(result.cracks.size()); ++c) {
+        if (cutter.tip_vertex(c) >= 0) shape_tip(cutter, c);
+      }
+      repair_pieces(cutter);
+      Advance advance{.event = event_of(end), .reason = "", .tip = reached, .report = cutter.finish()};
+      mesh = std::move(result);
+      return advance;
+    } catch (const CutFailure& failure) {
+      if (reason.empty()) reason = failure.what();
     }
-    repair_pieces(cutter);
-    Advance advance{.event = event_of(end), .reason = "", .tip = reached, .report = cutter.finish()};
-    mesh = std::move(result);
-    return advance;
-  } catch (const CutFailure& failure) {
-    return refused(failure.what(), from);
   }
+  return refused(reason, from);
 }
 
 }  // namespace sunder::crack

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
-#include <unordered_set>
 
 #include "solver/crack/body.hpp"
 #include "solver/crack/cutter.hpp"
@@ -12,13 +11,6 @@
 
 namespace sunder::crack {
 namespace {
-
-std::string words(const Point& p) {
-  std::ostringstream text;
-  text.precision(9);
-  text << '(' << p.x() << ", " << p.y() << ')';
-  return text.str();
-}
 
 std::string number_words(double x) {
   std::ostringstream text;
@@ -35,7 +27,13 @@ struct Check {
   const std::string name;
 
   [[noreturn]] void refuse(const std::string& what) const { throw CrackError(name + ": " + what); }
-  const Point& a(const FaceEdge& e) const { return e.from; }
+  std::string words(const Point& p) const {
+    std::ostringstream text;
+    text.precision(9);
+    const auto shown = [&](double x) { return std::abs(x) < 1e-12 * size ? 0.0 : x; };
+    text << '(' << shown(p.x()) << ", " << shown(p.y()) << ')';
+    return text.str();
+  }
 
   void points() const {
     if (path.points.size() < 2) {

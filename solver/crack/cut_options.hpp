@@ -23,6 +23,9 @@ struct CutOptions {
   double sliver = 0.1;
 };
 
+/// Where no sound tip polygon comes out, the cut is tried again with tip_clearance times these.
+inline constexpr double clearance_attempts[] = {1.0, 0.5, 2.0, 0.25, 4.0, 0.05};
+
 /// Which polygons and vertices of the mesh are still those of before. Modes of the polygons named in `polygon_from` may
 /// be kept: shape, scaling centre, and order of vertices are the same bit for bit (the numbers of the vertices may
 /// differ).

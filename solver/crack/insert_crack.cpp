@@ -93,30 +93,37 @@ Front middle_front(Cutter& cutter, const Point& middle, const Point& direction) 
   // The polygon is divided by a line through the middle across the crack.
   const std::vector<Point> points = cutter.points(polygon);
   const Point across(-direction.y(), direction.x());
+  struct Hit {
+    int a = -1, b = -1;  ///< the edge
+    Point place = Point::Zero();
+    int vertex = -1;  ///< an end of the edge that does as well, being not far
+  };
   const auto hit = [&](const Point& ray) {
     double nearest = std::numeric_limits<double>::infinity();
-    mesh::Edge edge{-1, -1};
-    Point place = middle;
+    Hit found;
     for (std::size_t k = 0; k < n; ++k) {
       const Point a = points[k] - middle, b = points[(k + 1) % n] - middle;
       const double sa = cross(ray, a), sb = cross(ray, b);
       if ((sa > 0.0) == (sb > 0.0)) continue;
       const Point x = a + sa / (sa - sb) * (b - a);
-      if (x.dot(ray) > 0.0 && x.dot(ray) < nearest) {
-        nearest = x.dot(ray);
-        edge = {loop[k], loop[(k + 1) % n]};
-        place = middle + x;
-      }
+      if (x.dot(ray) <= 0.0 || x.dot(ray) >= nearest) continue;
+      nearest = x.dot(ray);
+      const double reach = 0.25 * (b - a).norm();
+      found = {loop[k], loop[(k + 1) % n], middle + x, -1};
+      if ((x - a).norm() < reach) found.vertex = found.a;
+      if ((x - b).norm() < reach) found.vertex = found.b;
     }
-    if (edge[0] < 0) throw CutFailure("no line across the crack divides its polygon");
-    // An end of the edge does as well where it is not far.
-    const double reach = 0.25 * (cutter.at(edge[1]) - cutter.at(edge[0])).norm();
-    for (const int v : edge) {
-      if ((cutter.at(v) - place).norm() < reach) return v;
-    }
-    return cutter.split_edge(edge[0], edge[1], place);
+    if (found.a < 0) throw CutFailure("no line across the crack divides its polygon");
+    return found;
   };
-  const int x = hit(across), y = hit(-across);
+  Hit one = hit(across), two = hit(-across);
+  const auto distance = std::abs(cutter.index_of(polygon, one.vertex < 0 ? one.a : one.vertex) -
+                                 cutter.index_of(polygon, two.vertex < 0 ? two.a : two.vertex));
+  if (one.vertex >= 0 && two.vertex >= 0 && (distance <= 1 || distance == static_cast<int>(n) - 1)) {
+    one.vertex = two.vertex = -1;  // a corner of the polygon is cut off: its edge is no chord
+  }
+  const auto vertex_at = [&](const Hit& h) { return h.vertex >= 0 ? h.vertex : cutter.split_edge(h.a, h.b, h.place); };
+  const int x = vertex_at(one), y = vertex_at(two);
   cutter.split_polygon(polygon, x, y);
   const int c = cutter.split_edge(x, y, middle);
   return {c, cutter.owner(c, y)};
@@ -218,22 +225,27 @@ void cut_path(Cutter& cutter, const CrackPath& path) {
 
 CutReport insert_crack(mesh::PolygonMesh& mesh, const CrackPath& path, int number, const CutOptions& options) {
   check_path(mesh, path, number);
-  mesh::PolygonMesh result = mesh;
-  const std::size_t before = mesh.cracks.size();
-  CutReport report;
-  try {
-    Cutter cutter(result, options);
-    cut_path(cutter, path);
-    report = cutter.finish();
-  } catch (const CutFailure& failure) {
-    throw CrackError("crack " + std::to_string(number + 1) + ": cannot be cut into this mesh: " + failure.what());
+  std::string reason;
+  for (const double factor : clearance_attempts) {
+    mesh::PolygonMesh result = mesh;
+    CutOptions attempt = options;
+    attempt.tip_clearance *= factor;
+    try {
+      Cutter cutter(result, attempt);
+      cut_path(cutter, path);
+      CutReport report = cutter.finish();
+      if (planted_fault("crack/faces-swapped")) {
+        for (std::size_t c = mesh.cracks.size(); c < result.cracks.size(); ++c) {
+          std::swap(result.cracks[c].lower, result.cracks[c].upper);
+        }
+      }
+      mesh = std::move(result);
+      return report;
+    } catch (const CutFailure& failure) {
+      if (reason.empty()) reason = failure.what();
+    }
   }
-  if (planted_fault("crack/faces-swapped")) {
-    for (std::size_t c = before; c < result.cracks.size(); ++c)
-      std::swap(result.cracks[c].lower, result.cracks[c].upper);
-  }
-  mesh = std::move(result);
-  return report;
+  throw CrackError("crack " + std::to_string(number + 1) + ": cannot be cut into this mesh: " + reason);
 }
 
 }  // namespace sunder::crack

@@ -253,7 +253,12 @@ Step next_step(Cutter& cutter, const Front& front, const Leg& leg) {
     if (step.vertex < 0) throw CutFailure("the crack does not leave a polygon it has entered");
   } else {
     const bool face_ahead = cutter.owner(exit.b, exit.a) < 0;
-    const double slack = cutter.options().snap * (cutter.at(exit.b) - cutter.at(exit.a)).norm();
+    // A tip just beyond an edge needs no cut through it where shape_tip() may join the polygon there.
+    const int beyond = cutter.owner(exit.b, exit.a);
+    const auto& polygons = cutter.mesh().polygons;
+    const bool one_body =
+        beyond >= 0 && !polygons[beyond].open && polygons[beyond].material == polygons[polygon].material;
+    const double slack = one_body ? cutter.options().snap * (cutter.at(exit.b) - cutter.at(exit.a)).norm() : 0.0;
     const double ending = leg.end_clearance * std::sqrt(std::abs(cutter.area(polygon)));
     if (leg.tip && length <= exit.distance + (face_ahead ? -ending : slack)) return step;
     if (!leg.tip) {

@@ -2,8 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+
+#include "verification/exact/bodies.hpp"
+#include "verification/exact/cracks.hpp"
+#include "verification/exact/vibration.hpp"
 
 namespace sunder::verification {
+namespace {
+
+/// The natural number that a function of natural numbers was given.
+int natural(double x) {
+  if (!(x >= 0.0 && x <= 1e6) || x != std::floor(x)) throw std::invalid_argument("a natural number is needed");
+  return static_cast<int>(x);
+}
+
+}  // namespace
 
 const std::vector<NumberFunction>& number_functions() {
   using Numbers = std::span<const double>;
@@ -21,6 +35,33 @@ const std::vector<NumberFunction>& number_functions() {
       {"hypot", 2, [](Numbers x) { return std::hypot(x[0], x[1]); }},
       {"min", 2, [](Numbers x) { return std::min(x[0], x[1]); }},
       {"max", 2, [](Numbers x) { return std::max(x[0], x[1]); }},
+      // handbook factors F(a / W)
+      {"edge_tension_tada", 1, [](Numbers x) { return exact::edge_tension_tada(x[0]); }},
+      {"edge_tension_gross_brown", 1, [](Numbers x) { return exact::edge_tension_gross_brown(x[0]); }},
+      {"edge_bending_tada", 1, [](Numbers x) { return exact::edge_bending_tada(x[0]); }},
+      {"centre_secant_tada", 1, [](Numbers x) { return exact::centre_secant_tada(x[0]); }},
+      {"centre_secant_feddersen", 1, [](Numbers x) { return exact::centre_secant_feddersen(x[0]); }},
+      {"centre_koiter", 1, [](Numbers x) { return exact::centre_koiter(x[0]); }},
+      {"double_edge_tada", 1, [](Numbers x) { return exact::double_edge_tada(x[0]); }},
+      {"compact_tension", 1, [](Numbers x) { return exact::compact_tension(x[0]); }},
+      {"three_point_bending", 1, [](Numbers x) { return exact::three_point_bending(x[0]); }},
+      // infinite plate: tension, half-length or radius [m], angle [rad]
+      {"inclined_crack_K_I", 3, [](Numbers x) { return exact::inclined_crack(x[0], x[1], x[2]).K_I; }},
+      {"inclined_crack_K_II", 3, [](Numbers x) { return exact::inclined_crack(x[0], x[1], x[2]).K_II; }},
+      {"arc_crack_biaxial_K_I", 3, [](Numbers x) { return exact::arc_crack_biaxial(x[0], x[1], x[2]).K_I; }},
+      {"arc_crack_biaxial_K_II", 3, [](Numbers x) { return exact::arc_crack_biaxial(x[0], x[1], x[2]).K_II; }},
+      {"arc_crack_uniaxial_K_I", 3, [](Numbers x) { return exact::arc_crack_uniaxial(x[0], x[1], x[2]).K_I; }},
+      {"arc_crack_uniaxial_K_II", 3, [](Numbers x) { return exact::arc_crack_uniaxial(x[0], x[1], x[2]).K_II; }},
+      {"kink_angle", 2, [](Numbers x) { return exact::kink_angle(x[0], x[1]); }},
+      // E [Pa], nu, rho [kg/m³], side [m], index from 0 [rad/s]
+      {"roller_square_plane_strain", 5,
+       [](Numbers x) {
+         return exact::roller_square_frequency(exact::plane_strain(x[0], x[1]), x[2], x[3], natural(x[4]));
+       }},
+      {"roller_square_plane_stress", 5,
+       [](Numbers x) {
+         return exact::roller_square_frequency(exact::plane_stress(x[0], x[1]), x[2], x[3], natural(x[4]));
+       }},
   };
   return all;
 }

@@ -77,7 +77,6 @@ Selection select_cases(const Arguments& arguments, const CaseFolders& folders) {
       selection.unreadable.push_back(std::move(result));
     }
   }
-  if (selection.cases.empty() && selection.unreadable.empty()) throw std::runtime_error("no case matches");
   return selection;
 }
 
@@ -113,6 +112,7 @@ CaseResult run_entry(const Case& entry, const Arguments& arguments, bool with_fa
 
 int run(const Arguments& arguments, const CaseFolders& folders, bool with_faults) {
   Selection selection = select_cases(arguments, folders);
+  if (selection.cases.empty() && selection.unreadable.empty()) throw std::runtime_error("no case matches");
   Environment from = environment(arguments.threads, arguments.commit);
   from.faulted = fault_control() != nullptr;
   std::vector<CaseResult> results;

@@ -41,7 +41,7 @@ struct OrderEstimate {
 
 /// Observed order p of one triplet h_1 < h_2 < h_3 with any refinement ratios: the root of
 ///     ε_32 / ε_21 = (h_3^p - s h_2^p) / (h_2^p - s h_1^p),   ε_ij = f_i - f_j,   s = sign(ε_32 / ε_21),
-/// which is [Celik 2008, Eqs. (3)-(4)] without the absolute value, so that a diverging triplet has p < 0; found by
+/// which is [Celik 2008] without the absolute value, so that a diverging triplet has p < 0; found by
 /// bisection in -20 … 40. Not a number where two neighbouring values agree.
 [[nodiscard]] double triplet_order(const Level& fine, const Level& middle, const Level& coarse);
 

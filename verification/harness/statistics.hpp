@@ -12,7 +12,7 @@ struct MedianEstimate {
 };
 
 /// The median of the sample and its distribution-free interval from the order statistics x_(k), x_(n+1-k)
-/// [Conover 1999, §3.2]. At least one value.
+/// [Conover 1999]. At least one value.
 [[nodiscard]] MedianEstimate median_interval(std::span<const double> sample, double confidence = 0.95);
 
 /// Half the interval's width over the median; infinite where the confidence is not reached.

@@ -80,10 +80,15 @@ TEST(RandomGrowth, KeepsAllInvariantsOver200PathsOf20Advances) {
       }
     }
   }
-  // What is refused is refused with a reason; most must go through.
+  if (std::getenv("CRACK_TALK")) {
+    std::printf("inserted %d rejected %d advanced %d ended %d refused %d\n", inserted, rejected, advanced, ended,
+                refused);
+    for (const auto& [r, n] : reasons) std::printf("%d × %s\n", n, r.c_str());
+  }
+  // No segment here turns by more than 90 degrees, so there is nothing to refuse.
   EXPECT_GE(inserted, 150);
   EXPECT_EQ(inserted + rejected, 200);
-  EXPECT_GE(advanced, 5 * refused);
+  EXPECT_EQ(refused, 0);
   EXPECT_GT(ended, 0);
 }
 

@@ -11,7 +11,7 @@ namespace sunder::verification {
 namespace {
 
 TEST(MedianInterval, TakesTheOrderStatisticsOfTheBinomialTable) {
-  // Ranks of the 95 % interval of the median [Conover 1999, Table A3]: n = 10: 2 and 9, n = 20: 6 and 15.
+  // Ranks of the 95 % interval of the median from the binomial distribution: n = 10: 2 and 9, n = 20: 6 and 15.
   std::vector<double> ten(10), twenty(20);
   std::iota(ten.begin(), ten.end(), 1.0);
   std::iota(twenty.begin(), twenty.end(), 1.0);

@@ -1,0 +1,62 @@
+#include <cstdio>
+#include <ostream>
+
+#include "solver/app/commands.hpp"
+#include "solver/app/memory_estimate.hpp"
+#include "solver/app/scene_place.hpp"
+#include "solver/mesh/picture.hpp"
+#include "solver/results/atomic_file.hpp"
+
+namespace sunder::app {
+namespace {
+
+/// The tables of the scene, with their number where there may be several.
+std::string parts_of(const scene::Scene& scene) {
+  std::string text;
+  const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+  const auto count = [&add](std::size_t number, const std::string& part) {
+    if (number > 0) add(std::to_string(number) + " " + part + (number > 1 ? "s" : ""));
+  };
+  if (scene.mesh.file) add("mesh from " + scene.mesh.file->filename().string());
+  if (scene.mesh.list) add("polygons written out");
+  if (scene.geometry) add("mesh of an outline with " + std::to_string(scene.geometry->outline.size()) + " vertices");
+  count(scene.regions.size(), "region");
+  count(scene.cracks.size(), "crack");
+  count(scene.supports.size(), "support");
+  count(scene.loads.size(), "load");
+  if (scene.gravity) add("gravity");
+  if (scene.modal) add(std::to_string(scene.modal->count) + " natural frequencies");
+  return text;
+}
+
+std::string megabytes(double bytes) {
+  char text[32];
+  std::snprintf(text, sizeof text, bytes < 1e7 ? "%.1f MB" : "%.0f MB", bytes / 1e6);
+  return text;
+}
+
+}  // namespace
+
+int check_command(const Arguments& arguments, const Console& console, const Solver& solver) {
+  const scene::Scene scene = scene::read_scene(arguments.scene, arguments.overrides);
+  Plan plan;
+  at_its_place(scene, [&] { plan = solver.plan(scene); });
+  if (arguments.picture) {
+    mesh::PictureOptions options{.title = scene.name, .materials = {"material"}, .nodes = &plan.nodes};
+    for (std::size_t i = 0; i < scene.regions.size(); ++i) options.materials.push_back("region " + std::to_string(i));
+    results::write_atomically(*arguments.picture, mesh::picture(plan.polygons, options));
+  }
+
+  console.out << scene.name << "\n  parts       " << parts_of(scene) << "\n  mesh        " << plan.nodes.polygon_count()
+              << " polygons, " << plan.nodes.node_count() << " nodes, " << 2 * plan.nodes.node_count()
+              << " unknowns\n  stiffness   " << stiffness_entries(plan.nodes)
+              << " entries in the lower triangle\n  memory      about " << megabytes(memory_estimate(plan.nodes))
+              << '\n';
+  for (const auto& [name, edges] : plan.polygons.boundaries)
+    console.out << "  boundary    " << name << ": " << edges.size() << " edges\n";
+  if (arguments.picture) console.out << "  picture     " << arguments.picture->string() << '\n';
+  console.out << "usable; nothing was run" << std::endl;
+  return completed;
+}
+
+}  // namespace sunder::app
