@@ -6,7 +6,7 @@ import tomllib
 
 import jinja2
 
-from reports import evidence, studies, words
+from reports import bibliography, evidence, studies, words
 from reports.front import LEVELS
 from reports.records import HARMLESS, STATUSES
 from reports.studies import LayoutError
@@ -31,13 +31,13 @@ def _find(cases, identity, where):
     raise LayoutError(f"layout: {where}: no record of the case {identity!r}")
 
 
-def _number(wanted, cases):
+def _number(wanted, cases, works):
     case = _find(cases, wanted["case"], "number")
     check = next((c for c in case.checks if c.name == wanted["check"]), None)
     if check is None:
         raise LayoutError(f"layout: number: {case.id} has no check {wanted['check']!r}; it has {', '.join(c.name for c in case.checks)}")
     reference = next((r for r in case.references if r.name == check.reference_name), None)
-    source = f"{reference.kind}: {reference.source}" if reference else check.evidence
+    source = f"{reference.kind}: {_source(reference, works).short}" if reference else check.evidence
     digits = wanted.get("digits", 6)
     return {"case": case, "words": wanted["words"], "value": words.number(check.value, digits),
             "reference": words.number(check.reference, digits), "error": words.error(check.error),
@@ -57,14 +57,20 @@ def _check_view(check):
             "reason": reason + message}
 
 
-def _reference_view(r):
-    text = f"{r.source}, {r.locator}" if r.locator else r.source
+def _source(reference, works):
+    """A source is a key of the bibliography, or words."""
+    return works.get(reference.source, bibliography.Work(reference.source, reference.source))
+
+
+def _reference_view(r, works):
+    source = _source(r, works).full
+    text = f"{source}; {r.locator}" if r.locator else source
     if r.uncertainty > 0:
         text += f"; uncertainty {words.error(r.uncertainty)}" + (" of the value" if r.relative else f" {r.unit}")
     return {"kind": r.kind, "name": r.name, "words": text}
 
 
-def _case_view(case):
+def _case_view(case, works):
     keys = list(dict.fromkeys(k for s in case.settings for k, _ in s.keys))
     errors = list(dict.fromkeys(n for s in case.settings for n in s.errors))
     # One setting without a key says no more than the checks do.
@@ -73,7 +79,7 @@ def _case_view(case):
                "pairwise": ", ".join(words.number(p) for p in o.pairwise), "extrapolated": words.number(o.extrapolated, 8),
                "index": words.error(o.convergence_index), "levels": o.levels_used} for c in case.checks for o in c.orders]
     text = " ".join([case.id, case.title, case.requirement, case.why, case.family, case.tier, case.status]
-                    + [c.name for c in case.checks] + [f"{r.kind} {r.source} {r.locator}" for r in case.references]
+                    + [c.name for c in case.checks] + [f"{r.kind} {r.source} {_source(r, works).full} {r.locator}" for r in case.references]
                     + [n.fault for n in case.negatives]).lower()
     footer = f"Version {case.version} · tier {case.tier} · {words.seconds(case.cpu_seconds)} CPU"
     if case.peak_bytes:
@@ -81,7 +87,7 @@ def _case_view(case):
     footer += f" · parts: {', '.join(case.modules)}" if case.modules else ""
     return {
         "case": case, "text": " ".join(text.split()), "checks": [_check_view(c) for c in case.checks],
-        "references": [_reference_view(r) for r in case.references], "orders": orders,
+        "references": [_reference_view(r, works) for r in case.references], "orders": orders,
         "order_figure": studies.convergence(case), "footer": footer,
         "setting_keys": [k.rsplit(".", 1)[-1].replace("_", " ") for k in keys], "error_names": errors,
         "settings": [{"cells": [dict(s.keys).get(k, "").strip('"') for k in keys], "standard": s.standard, "status": s.status,
@@ -91,9 +97,9 @@ def _case_view(case):
     }
 
 
-def _families(cases):
+def _families(cases, works):
     names = {row["family"]: row["name"] for row in evidence.trust_matrix(cases)["rows"]}
-    return [{"family": family, "name": name, "cases": [_case_view(c) for c in cases if c.family == family]}
+    return [{"family": family, "name": name, "cases": [_case_view(c, works) for c in cases if c.family == family]}
             for family, name in names.items() if any(c.family == family for c in cases)]
 
 
@@ -108,10 +114,10 @@ def hero_figure(records, layout):
     return _hero(layout, records.cases)["figure"]
 
 
-def view(records, layout):
-    """Everything the template shows, as plain values."""
+def view(records, layout, works):
+    """Everything the template shows, as plain values. `works`: the bibliography."""
     cases = records.cases
-    hero, numbers = _hero(layout, cases), [_number(n, cases) for n in layout["number"]]
+    hero, numbers = _hero(layout, cases), [_number(n, cases, works) for n in layout["number"]]
     benchmark_figures = studies.benchmark_figures(layout, records.benchmarks)
     sweeps = studies.sweeps(cases)
     ladders = studies.ladders(cases)
@@ -125,7 +131,7 @@ def view(records, layout):
         "matrix": evidence.trust_matrix(cases), "hero": hero, "command": layout["command"],
         "numbers": numbers, "sweeps": sweeps, "levels": [w for _, w in LEVELS],
         "ladders": ladders, "kills": evidence.kills(cases),
-        "benchmark_figures": benchmark_figures, "benchmark_tables": studies.benchmark_tables(records.benchmarks), "families": _families(cases),
+        "benchmark_figures": benchmark_figures, "benchmark_tables": studies.benchmark_tables(records.benchmarks), "families": _families(cases, works),
         "statuses": [s for s in STATUSES if any(c.status == s for c in cases)],
         "limits": [{"case": case, "check": c.name, "message": c.message} for case in cases for c in case.checks
                    if c.status == "known limit"],

@@ -14,5 +14,13 @@ def print_page(html, footer):
         with Browser(timeout=110) as browser:
             browser.open(page)
             data = browser.pdf(footer)
-    # The dates have a fixed length, so replacing them moves nothing in the file.
-    return re.sub(rb"(/(?:Creation|Mod)Date \(D:)\d{14}", rb"\g<1>20000101000000", data)
+    return without_moment(data)
+
+
+def without_moment(data):
+    """The PDF with a fixed date, and with the identifiers of its structure counted from 0 in their own order: the browser
+    begins to count somewhere else each time. Both keep their length, so nothing moves in the file, and the index of the
+    identifiers stays sorted."""
+    data = re.sub(rb"(/(?:Creation|Mod)Date \(D:)\d{14}", rb"\g<1>20000101000000", data)
+    rank = {number: i for i, number in enumerate(sorted(set(re.findall(rb"\(node(\d{8})\)", data))))}
+    return re.sub(rb"\(node(\d{8})\)", lambda m: b"(node%08d)" % rank[m.group(1)], data)

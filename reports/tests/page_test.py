@@ -8,13 +8,15 @@ import tempfile
 import unittest
 import unittest.mock
 
-from reports import evidence, figures, page, records
+from reports import evidence, figures, page, pdf, records
+from reports.bibliography import Work
 from reports.browser import Browser
 from reports.front import Point
 from reports.page import LayoutError
 from reports.tests import synthetic
 
 LAYOUT = pathlib.Path(__file__).parent / "synthetic_layout.toml"
+WORKS = {"isida-1971": Work("Isida 1971", "Isida, Effect of width and length, 1971")}
 ROOT = pathlib.Path(__file__).parent.parent.parent
 
 # What is wider than the screen without a scroll box of its own, by tag and class.
@@ -34,7 +36,7 @@ def view(good=True):
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         synthetic.write(folder, good=good)
-        return page.view(records.read(folder, folder / "cases"), page.read_layout(LAYOUT))
+        return page.view(records.read(folder, folder / "cases"), page.read_layout(LAYOUT), WORKS)
 
 
 def run_reports(folder, *arguments, hash_seed="0"):
@@ -99,9 +101,13 @@ class Contents(Folder):
         self.assertEqual((sliver["failing"], sliver["failing_is_wrong"], sliver["refused"]), ("10⁷: wrong value", True, 1))
         self.assertEqual(ladders["stability/short-edges"]["failing"], "")
 
+    def test_sources_are_looked_up_in_the_bibliography(self):
+        case = next(c for f in view()["families"] for c in f["cases"] if c["case"].id == "sif/centre-crack")
+        self.assertEqual(case["references"][0]["words"], "Isida, Effect of width and length, 1971; Table 2; uncertainty 5·10⁻⁴ of the value")
+
     def test_text_of_records_cannot_become_markup(self):
         synthetic.write(self.folder, cases=[*synthetic.catalogue(), synthetic.case("patch/z", title="<script>alert(1)</script>")])
-        text = page.render(page.view(records.read(self.folder, self.folder / "cases"), page.read_layout(LAYOUT)))
+        text = page.render(page.view(records.read(self.folder, self.folder / "cases"), page.read_layout(LAYOUT), WORKS))
         self.assertNotIn("<script>alert", text)
         self.assertIn("&lt;script&gt;alert", text)
 
@@ -111,7 +117,7 @@ class Missing(Folder):
 
     def fails(self, cases=None, **changes):
         synthetic.write(self.folder, cases=synthetic.catalogue() if cases is None else cases)
-        page.view(records.read(self.folder, self.folder / "cases"), {**page.read_layout(LAYOUT), **changes})
+        page.view(records.read(self.folder, self.folder / "cases"), {**page.read_layout(LAYOUT), **changes}, WORKS)
 
     def test_first_screen_without_its_case(self):
         with self.assertRaisesRegex(LayoutError, "hero: no record of the case 'sif/none'"):
@@ -157,6 +163,14 @@ class Files(Folder):
         text = subprocess.run(["pdftotext", self.folder / "1/index.pdf", "-"], check=True, capture_output=True, text=True).stdout
         for words in ("All 24 checks of 16 cases pass", "Error of K_I against CPU time", "The patch of polynomial order 8 shall agree"):
             self.assertIn(words, " ".join(text.split()))
+
+    def test_pdf_forgets_the_moment_of_printing_and_keeps_its_length(self):
+        one, other = (b"/CreationDate (D:2026112210255%d+00'00') /ID (node0000008%d) /ID (node00000009) /K (node0000008%d)" % (d, d, d)
+                      for d in (2, 4))
+        self.assertNotEqual(one, other)
+        self.assertEqual(pdf.without_moment(one), pdf.without_moment(other))
+        self.assertEqual(len(pdf.without_moment(one)), len(one))
+        self.assertIn(b"(node00000001) /ID (node00000000) /K (node00000001)", pdf.without_moment(one))
 
     def test_standalone_figure_needs_no_style_sheet(self):
         svg = figures.standalone(figures.error_against_time("a", [Point(1e-3, 1e-2, "", ""), Point(1e-2, 1e-4, "", "")], [], "K_I"))

@@ -92,7 +92,7 @@ def catalogue(good=True):
                   negatives=[negative("sbfem/e1-transposed", ["displacement", "stress"])]) for p in (1, 2, 3, 8)]
     cases += [
         sweep_case("sif/edge-crack", "high-precision"), sweep_case("sif/edge-crack-shear", "cross-code", scale=6),
-        case("sif/centre-crack", references=[reference(kind="published", source="Isida 1971", locator="Table 2", uncertainty=5e-4)],
+        case("sif/centre-crack", references=[reference(kind="published", source="isida-1971", locator="Table 2", uncertainty=5e-4)],
              checks=[check("K_I", 4.1e-5, 5e-4, evidence="published", basis="uncertainty", gates=False), check("K_II", 1e-11, 1e-9)]),
         case("sif/extractions-agree", references=[], checks=[
             check("projection is M-integral", 8.5e-12, 1e-11, kind="invariant", evidence="law", reference_name="")]),
