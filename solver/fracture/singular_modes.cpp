@@ -53,7 +53,7 @@ Pair invariant_pair(const Eigen::MatrixXd& A, double shift, const Eigen::MatrixX
   if (!pair.converged) return pair;
   pair.group.right = V;
   pair.group.left = W * gram.inverse().transpose();
-  pair.group.matrix = pair.group.left.transpose() * (A * V);
+  pair.group.matrix = V.transpose() * (A * V);  // V is orthonormal: the S of least residual
   const Eigen::Vector2cd exponents = pair.group.matrix.eigenvalues();
   pair.group.exponents = {exponents[0], exponents[1]};
   return pair;

@@ -3,36 +3,23 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <cmath>
 #include <span>
 #include <vector>
 
 #include "solver/fracture/stress_intensity.hpp"
-#include "solver/numerics/quadrature.hpp"
 #include "solver/sbfem/coefficients.hpp"
 #include "solver/sbfem/loads.hpp"
 #include "solver/sbfem/polygon_solution.hpp"
+#include "solver/sbfem/tests/polygons.hpp"
 
 namespace sunder::fracture::testing {
 
 /// The open boundary through `vertices` (2, m) relative to the tip, from the lower mouth to the upper one.
-inline sbfem::Boundary open_boundary(const std::vector<Eigen::Vector2d>& vertices, const std::vector<int>& orders) {
-  sbfem::Boundary boundary{.nodes = {}, .orders = orders, .open = true};
-  std::vector<Eigen::Vector2d> nodes{vertices.front()};
-  for (std::size_t e = 0; e < orders.size(); ++e) {
-    const Eigen::VectorXd eta = numerics::gauss_lobatto(orders[e] + 1).points;
-    for (int i = 1; i <= orders[e]; ++i) {
-      nodes.push_back(0.5 * ((1.0 - eta[i]) * vertices[e] + (1.0 + eta[i]) * vertices[e + 1]));
-    }
-  }
-  boundary.nodes.resize(2, static_cast<Eigen::Index>(nodes.size()));
-  for (std::size_t i = 0; i < nodes.size(); ++i) boundary.nodes.col(static_cast<Eigen::Index>(i)) = nodes[i];
-  return boundary;
-}
-
 inline sbfem::Boundary open_boundary(const std::vector<Eigen::Vector2d>& vertices, int order) {
-  return open_boundary(vertices, std::vector<int>(vertices.size() - 1, order));
+  return sbfem::testing::boundary(vertices, order, true);
 }
 
 /// Divides each side between corners into equal parts.
