@@ -125,9 +125,10 @@ void FormationAccess::solve_single(int polygon) const {
   iterations[i] = solution.iterations;
   if (solution.status != PolygonStatus::converged) return mark_failed(polygon, solution.status);
   Eigen::Map<Eigen::MatrixXd>(formation.stiffness_.data() + formation.offsets_[i], N, N) = solution.K;
-  if (options.with_mass) {
-    Eigen::Map<Eigen::MatrixXd>(formation.mass_.data() + formation.offsets_[i], N, N) = mass(c, solution);
-  }
+  if (!options.with_mass) return;
+  const Eigen::MatrixXd M = mass(c, solution);
+  if (!M.allFinite()) return mark_failed(polygon, PolygonStatus::not_converged);
+  Eigen::Map<Eigen::MatrixXd>(formation.mass_.data() + formation.offsets_[i], N, N) = M;
 }
 
 void FormationAccess::solve_batch(PolygonBatch<Lanes>& batch, const Task& task) const {
@@ -183,11 +184,8 @@ void FormationAccess::store(PolygonBatch<Lanes>& batch, const Task& task) const 
     iterations[i] = static_cast<int>(batch.iterations[lane]);
     const bool finite =
         formation.stiffness(polygon).allFinite() && (!options.with_mass || formation.mass(polygon).allFinite());
-    if (!finite) {
-      mark_failed(polygon, PolygonStatus::not_positive_definite);
-    } else if (batch.converged[lane] == 0.0) {
-      mark_failed(polygon, PolygonStatus::not_converged);
-    }
+    // What the lanes cannot do is tried again by itself, with everything solve_polygon falls back on.
+    if (!finite || batch.converged[lane] == 0.0) solve_single(polygon);
   }
 }
 

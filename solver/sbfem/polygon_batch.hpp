@@ -26,7 +26,7 @@ struct PolygonBatch {
   BatchMaterial<S> material;
   std::vector<S> E0, F, E2;  ///< (N, N), F = E1ᵀ; scaled by solve()
   std::vector<S> scale;      ///< (N) P = diag(E0)^-1/2
-  std::vector<S> K, M;       ///< (N, N) results [Pa], [kg/m]
+  std::vector<S> K, M;       ///< (N, N) results, scaled: divide by scale_i scale_j for [Pa], [kg/m]
   S converged, iterations;   ///< 1 or 0; merges of rings
   S largest_exponent;        ///< estimate of λ_max
 
@@ -44,7 +44,8 @@ void fill_coefficients(PolygonBatch<S>& batch, std::span<const int> orders, std:
 template <class S>
 void solve_stiffness(PolygonBatch<S>& batch);
 
-/// M after solve_stiffness, for polygons that share the orders of their edges.
+/// M after solve_stiffness, for polygons that share the orders of their edges. Clears `converged` where the mass of a
+/// translation is not density times area to 1e-6.
 template <class S>
 void solve_mass(PolygonBatch<S>& batch, std::span<const int> orders, std::span<const ReferenceEdge> references);
 

@@ -8,8 +8,10 @@
 namespace sunder::sbfem {
 
 enum class Route {
-  ring_doubling,  ///< default: two rings glued and condensed, doubled until the inner one no longer matters
-  matrix_sign,    ///< matrix sign function of the scaled, deflated Hamiltonian on Cholesky factors: independent, best on slivers
+  ring_doubling,  ///< default: rings glued and condensed until the inner one no longer matters; where
+                  ///< round-off makes them indefinite (edges of 1e-9 of the polygon), matrix_sign takes over
+  matrix_sign,  ///< matrix sign function of the scaled, deflated Hamiltonian on Cholesky factors: independent, best on
+                ///< slivers
   ordered_schur,  ///< ordered real Schur form of the balanced Hamiltonian: independent, and the only one with all modes
 };
 
@@ -19,14 +21,15 @@ enum class PolygonStatus { converged, not_converged, not_positive_definite };
 struct PolygonSolution {
   Eigen::MatrixXd K;       ///< stiffness (2n, 2n) [Pa] (unit thickness), symmetric
   Eigen::MatrixXd A;       ///< closed loop (2n, 2n) [-]: u(ξ) = ξ^A u_b, A = E0⁻¹ (K - E1ᵀ) [Song 2018]
-  double asymmetry = 0.0;  ///< ‖K - Kᵀ‖ / ‖K‖ before symmetrising: 1e-15 … 1e-11 where healthy
+  double asymmetry = 0.0;  ///< ‖K - Kᵀ‖ / ‖K‖ before symmetrising: 1e-15 … 1e-11 where healthy, 0 with rings
   int iterations = 0;      ///< merges, sign iterations, or 0
   PolygonStatus status = PolygonStatus::converged;
 };
 
 [[nodiscard]] PolygonSolution solve_polygon(const Coefficients& coefficients, Route route = Route::ring_doubling);
 
-/// Consistent mass of the static displacement field (2n, 2n) [kg/m]: (I + A)ᵀ M + M (I + A) = M0.
+/// Consistent mass of the static displacement field (2n, 2n) [kg/m]: (I + A)ᵀ M + M (I + A) = M0, by squared Smith
+/// iteration [Smith 1968]. NaN where the solution failed or where the mass of a translation is not density times area.
 [[nodiscard]] Eigen::MatrixXd mass(const Coefficients& coefficients, const PolygonSolution& solution);
 
 }  // namespace sunder::sbfem
