@@ -97,7 +97,8 @@ MatrixXd mass(const Coefficients& coefficients, const PolygonSolution& solution)
     if (!(increment.norm() > 0.1 * std::numeric_limits<double>::epsilon() * M.norm())) break;
     U = (U * U).eval();
   }
-  M = (stretch.asDiagonal() * (0.5 * (M + M.transpose())) * stretch.asDiagonal()).eval();
+  M = (stretch.asDiagonal() * M * stretch.asDiagonal()).eval();
+  M = (0.5 * (M + M.transpose())).eval();
   // A T = 0 for the translations T, hence 2 Tᵀ M T = Tᵀ M0 T: half a moment of mass that is wrong by 1e-6 has lost all
   // else.
   const double carried = 2.0 * translation_moment(M), expected = translation_moment(coefficients.M0);

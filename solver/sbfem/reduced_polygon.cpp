@@ -74,7 +74,8 @@ Eigen::MatrixXd expand_stiffness(const ReducedPolygon& polygon, const Eigen::Mat
   K.transposeInPlace();
   reflect_rows(polygon, K);
   const Eigen::VectorXd stretch = polygon.scale.cwiseInverse();
-  return stretch.asDiagonal() * K * stretch.asDiagonal();
+  K = (stretch.asDiagonal() * K * stretch.asDiagonal()).eval();
+  return 0.5 * (K + K.transpose());
 }
 
 }  // namespace sunder::sbfem

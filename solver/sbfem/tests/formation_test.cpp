@@ -120,7 +120,8 @@ TEST(Formation, RefusesAMissingMaterial) {
 }
 
 TEST(Formation, EmptyMeshIsEmpty) {
-  const Formation formation = form(mesh::place_nodes(mesh::PolygonMesh{}, [](int, int) { return 1; }), materials, {.with_mass = true});
+  const Formation formation =
+      form(mesh::place_nodes(mesh::PolygonMesh{}, [](int, int) { return 1; }), materials, {.with_mass = true});
   EXPECT_EQ(formation.polygon_count(), 0);
   EXPECT_EQ(formation.summary().worst_polygon, -1);
 }
