@@ -80,6 +80,33 @@ int prevailing_material(const PolygonMesh& mesh, const std::vector<Corner>& corn
       ->first;
 }
 
+/// At a sharp re-entrant corner, its first vertex, a polygon sees its boundary badly or not at all. It is cut from
+/// there to centroids into parts that see theirs, each as large as possible; a triangle always does. Parts after the
+/// first become the last polygons of the mesh.
+void split_at_corner(PolygonMesh& mesh, int polygon) {
+  constexpr double poor = 0.05, enough = 0.2;  // clearance; a square has 0.87
+  const auto seen = [&](const std::vector<int>& vertices) {
+    std::vector<Point> points;
+    for (const int v : vertices) points.push_back(mesh.vertices[v]);
+    return scaling_centre(points).clearance;
+  };
+  const std::vector<int> v = mesh.polygons[polygon].vertices;
+  if (seen(v) >= poor) return;
+  std::vector<std::vector<int>> parts;
+  for (std::size_t k = 1; k + 1 < v.size(); ++k) {  // triangle v[0], v[k], v[k + 1] joins the last part, or starts one
+    std::vector<int> wider = parts.empty() ? std::vector<int>{v[0], v[k]} : parts.back();
+    wider.push_back(v[k + 1]);
+    if (!parts.empty() && seen(wider) >= enough) {
+      parts.back() = std::move(wider);
+    } else {
+      parts.push_back({v[0], v[k], v[k + 1]});
+    }
+  }
+  const int material = mesh.polygons[polygon].material;
+  mesh.polygons[polygon].vertices = parts[0];
+  for (std::size_t i = 1; i < parts.size(); ++i) mesh.polygons.push_back({.vertices = parts[i], .material = material});
+}
+
 }  // namespace
 
 PolygonMesh dual(const PolygonMesh& primal) {
@@ -112,7 +139,16 @@ PolygonMesh dual(const PolygonMesh& primal) {
     for (const Corner& c : ring) polygon.vertices.push_back(c.cell);
     if (kept[v] >= 0) polygon.vertices.push_back(midpoint[ring.back().in]);
     polygon.material = prevailing_material(primal, ring);
-    polygon.scaling_centre = chosen_centre(mesh, v);
+  }
+  for (int v = 0; v < count; ++v) {
+    if (kept[v] >= 0) split_at_corner(mesh, v);
+  }
+  try {
+    for (int i = 0; i < static_cast<int>(mesh.polygons.size()); ++i) {
+      mesh.polygons[i].scaling_centre = chosen_centre(mesh, i);
+    }
+  } catch (const MeshError& error) {
+    throw MeshError(std::string(error.what()) + " (in the dual: the cells there are too flat, smaller ones help)");
   }
 
   // The two halves of a named edge; its midpoint is found by its first vertex, which starts one boundary edge.

@@ -156,6 +156,10 @@ class Legend {
     entry("<circle cx=\"" + fixed(margin + 18.0) + "\" cy=\"" + fixed(y_ + 0.5 * line_height) + "\" " + look + "/>",
           words);
   }
+  void crack(const std::string& words) {
+    const std::string place = "<path d=\"M" + fixed(margin) + " " + fixed(y_ + 0.5 * line_height) + "h36\" ";
+    entry(place + "stroke=\"#000\" stroke-width=\"4\"/>" + place + "stroke=\"#fff\" stroke-width=\"1.6\"/>", words);
+  }
   void words(const std::string& text) { entry("", text, margin); }
 
   double bottom() const { return y_; }
@@ -228,8 +232,7 @@ std::string picture(const PolygonMesh& mesh, const PictureOptions& options) {
     body += "<circle " + sheet.centre(mesh.polygons[crack.tip_polygon].scaling_centre) +
             " r=\"3\" fill=\"#fff\" stroke=\"#000\" stroke-width=\"1.2\"/>\n";
   }
-  if (!mesh.cracks.empty())
-    legend.line("stroke=\"#000\" stroke-width=\"4\"", "crack faces (white between), tip ringed");
+  if (!mesh.cracks.empty()) legend.crack("crack faces, tip ringed");
   body += draw_dots(mesh, options, sheet, legend);
   legend.words(
       std::to_string(mesh.polygons.size()) + " polygons, " + std::to_string(mesh.vertices.size()) + " vertices" +

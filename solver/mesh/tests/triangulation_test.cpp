@@ -114,6 +114,31 @@ TEST(DualMesh, OfQuadrilateralsIsTheShiftedGrid) {
   EXPECT_NEAR(moments(closed_line(mesh, 0)).area, 0.25, 1e-15);  // a corner
 }
 
+TEST(DualMesh, CutsPolygonsAtSharpReEntrantCorners) {
+  // A notch of half a degree, seen from its tip over 359.5 degrees.
+  const Outline notched{.vertices = {{0, 0}, {4, 0}, {4, 4}, {2.01, 4}, {2, 1.7}, {1.99, 4}, {0, 4}}};
+  const PolygonMesh triangles = triangulate(notched, {.size = {.size = 0.8}}), mesh = dual(triangles);
+  check_mesh(mesh);
+  EXPECT_GT(mesh.polygons.size(), triangles.vertices.size());
+  EXPECT_LT(mesh.polygons.size(), triangles.vertices.size() + 4);
+  for (int i = 0; i < static_cast<int>(mesh.polygons.size()); ++i) {
+    EXPECT_GT(clearance(closed_line(mesh, i), mesh.polygons[i].scaling_centre), 0.05) << i;
+  }
+  EXPECT_NEAR(total_area(mesh) / moments(notched.vertices).area, 1.0, 1e-12);
+}
+
+TEST(DualMesh, SaysWhatHelpsWhereCellsAreTooFlat) {
+  // Round vertex 0, a corner of 340°, two triangles of 170° with a short edge between: their centroids lie more than
+  // half a turn apart.
+  const double angle = 170.0 * std::numbers::pi / 180.0;
+  PolygonMesh flat;
+  flat.vertices = {{0, 0}, {std::cos(angle), -std::sin(angle)}, {0.1, 0}, {std::cos(angle), std::sin(angle)}};
+  flat.polygons = {{.vertices = {0, 1, 2}}, {.vertices = {0, 2, 3}}};
+  const std::string message = mesh_error([&] { dual(flat); });
+  expect_words(message, "at (0, 0)");
+  expect_words(message, "too flat, smaller ones help");
+}
+
 TEST(DualMesh, RefusesABodyThatHangsTogetherInOnePoint) {
   PolygonMesh bow;
   bow.vertices = {{0, 0}, {1, 0}, {1, 1}, {2, 1}, {2, 2}};
