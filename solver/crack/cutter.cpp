@@ -115,17 +115,6 @@ int Cutter::crack_of_edge(int a, int b) const {
   return -1;
 }
 
-bool Cutter::has_spike(int polygon) const {
-  for (std::size_t c = 0; c < mesh_.cracks.size(); ++c) {
-    if (tip_vertices_[c] >= 0 && spike_polygon(static_cast<int>(c)) == polygon) return true;
-  }
-  return false;
-}
-
-int Cutter::spike_polygon(int crack) const {
-  return owner(tip_vertices_[crack], mesh_.cracks[crack].lower.back());
-}
-
 int Cutter::add_crack() {
   mesh_.cracks.emplace_back();
   tip_vertices_.push_back(-1);
@@ -360,25 +349,6 @@ void Cutter::repair_pairs(int vertex, int twin) {
   }
 }
 
-int Cutter::add_spike(int polygon, int vertex, const Point& to, int upper, int lower) {
-  const int tip = new_vertex(to, -1);
-  const int before = previous(polygon, vertex), after = next(polygon, vertex);
-  if (owner(vertex, before) < 0 && upper != vertex) rename_boundary_edge({before, vertex}, {{before, upper}});
-  if (owner(after, vertex) < 0 && lower != vertex) rename_boundary_edge({vertex, after}, {{lower, after}});
-  std::vector<int> v = loop(polygon);
-  const int i = index_of(polygon, vertex);
-  v[i] = upper;
-  v.insert(v.begin() + i + 1, {tip, lower});
-  set_loop(polygon, std::move(v));
-  reshaped_[polygon] = 1;
-  return tip;
-}
-
-void Cutter::move_tip(int vertex, const Point& to) {
-  mesh_.vertices[vertex] = to;
-  vertex_from_[vertex] = -1;
-}
-
 void Cutter::remove_vertex(int polygon, int vertex) {
   std::vector<int> v = loop(polygon);
   v.erase(v.begin() + index_of(polygon, vertex));
@@ -386,100 +356,9 @@ void Cutter::remove_vertex(int polygon, int vertex) {
   reshaped_[polygon] = 1;
 }
 
-void Cutter::reopen(int crack) {
-  mesh::CrackFaces& f = mesh_.cracks[crack];
-  const int p = f.tip_polygon;
-  const int tip = new_vertex(mesh_.polygons[p].scaling_centre, -1);
-  unlink(p);
-  mesh_.polygons[p].open = false;
-  mesh_.polygons[p].vertices.push_back(tip);
-  link(p);
-  touched_[p] = reshaped_[p] = 1;
-  tip_vertices_[crack] = tip;
-  f.tip_polygon = -1;
-}
-
-void Cutter::close_spike(int crack) {
-  const int tip = tip_vertices_[crack], p = spike_polygon(crack);
-  std::vector<int> v = loop(p);
-  std::rotate(v.begin(), v.begin() + index_of(p, tip), v.end());
-  v.erase(v.begin());
-  unlink(p);
-  mesh_.polygons[p].open = true;
-  mesh_.polygons[p].vertices = std::move(v);
-  mesh_.polygons[p].scaling_centre = at(tip);
-  link(p);
-  touched_[p] = 1;
-  reshaped_[p] = 0;  // its centre is chosen
-  tip_vertices_[crack] = -1;
-  mesh_.cracks[crack].tip_polygon = p;
-}
-
 void Cutter::choose_centre(int polygon, const Point& centre) {
   mesh_.polygons[polygon].scaling_centre = centre;
   reshaped_[polygon] = 0;
-}
-
-CutReport Cutter::finish() {
-  // Holes in the numbering are filled from the end, so that the numbers of untouched parts stay where they can.
-  const auto fill = [](std::vector<char> used, auto&& move_to) {
-    int last = static_cast<int>(used.size()) - 1;
-    for (int hole = 0; hole <= last; ++hole) {
-      if (used[hole]) continue;
-      while (last > hole && !used[last]) --last;
-      if (last <= hole) return hole;
-      move_to(last, hole);
-      used[last--] = 0;
-      used[hole] = 1;
-    }
-    return last + 1;
-  };
-  CutReport report;
-  report.polygon_from.resize(mesh_.polygons.size());
-  std::vector<char> used_polygon(mesh_.polygons.size()), used_vertex(mesh_.vertices.size());
-  for (std::size_t p = 0; p < used_polygon.size(); ++p) {
-    used_polygon[p] = !dead_[p];
-    report.polygon_from[p] = touched_[p] ? -1 : static_cast<int>(p);
-    for (const int v : mesh_.polygons[p].vertices) used_vertex[v] = 1;
-  }
-  const int polygons = fill(used_polygon, [&](int from, int to) {
-    mesh_.polygons[to] = std::move(mesh_.polygons[from]);
-    report.polygon_from[to] = report.polygon_from[from];
-    for (mesh::CrackFaces& c : mesh_.cracks) {
-      if (c.tip_polygon == from) c.tip_polygon = to;
-    }
-  });
-  mesh_.polygons.resize(polygons);
-  report.polygon_from.resize(polygons);
-
-  std::unordered_map<int, int> renamed;
-  const int vertices = fill(used_vertex, [&](int from, int to) {
-    mesh_.vertices[to] = mesh_.vertices[from];
-    vertex_from_[to] = vertex_from_[from];
-    renamed[from] = to;
-  });
-  mesh_.vertices.resize(vertices);
-  vertex_from_.resize(vertices);
-  if (!renamed.empty()) {
-    const auto rename = [&](int& v) {
-      if (v < vertices) return;
-      const auto found = renamed.find(v);
-      if (found != renamed.end()) v = found->second;
-    };
-    for (mesh::Polygon& p : mesh_.polygons) std::for_each(p.vertices.begin(), p.vertices.end(), rename);
-    for (auto& [name, edges] : mesh_.boundaries) {
-      for (mesh::Edge& e : edges) std::for_each(e.begin(), e.end(), rename);
-    }
-    for (mesh::CrackFaces& c : mesh_.cracks) {
-      std::for_each(c.lower.begin(), c.lower.end(), rename);
-      std::for_each(c.upper.begin(), c.upper.end(), rename);
-    }
-  }
-  report.vertex_from = std::move(vertex_from_);
-  for (int p = 0; p < polygons; ++p) {
-    if (report.polygon_from[p] < 0) report.changed.push_back(p);
-  }
-  return report;
 }
 
 }  // namespace sunder::crack

@@ -8,6 +8,7 @@
 
 #include "solver/crack/insert_crack.hpp"
 #include "solver/crack/tests/crack_meshes.hpp"
+#include "solver/mesh/triangulation.hpp"
 
 namespace sunder::crack {
 namespace {
@@ -158,6 +159,28 @@ TEST(AdvanceTip, OrderOfTwoSeparateTipsDoesNotMatter) {
     return all;
   };
   EXPECT_EQ(places(a), places(b));
+}
+
+TEST(AdvanceTip, GrowsThroughTheKoynaSection) {
+  // The dual mesh of the real section, a crack from the upstream face that turns down as it grows, in steps of a fifth
+  // of a polygon; by the same steps from the break of the downstream face.
+  const mesh::Outline outline{.vertices = {{0, 0}, {70, 0}, {19.25, 66.5}, {14.8, 103}, {0, 103}},
+                              .boundaries = {{"base", {0}}, {"upstream", {4}}}};
+  const mesh::PolygonMesh body = mesh::dual_mesh(outline, {.size = {.size = 2.4}, .paths = {{{0, 60}, {1, 60}}}});
+  mesh::PolygonMesh mesh = body;
+  insert_crack(mesh, {{{0, 60}, {1, 60}}}, 0);
+  const Point downstream = Point(19.25, 66.5) + 0.003 * Point(50.75, -66.5);
+  insert_crack(mesh, {{downstream, downstream - Point(1.2, 0.3)}}, 1);
+  ASSERT_TRUE(testing::is_sound(mesh, body));
+  for (int i = 0; i < 25; ++i) {
+    const double angle = -0.025 * i;
+    ASSERT_EQ(advance_tip(mesh, 0, testing::tip_of(mesh, 0) + 0.5 * Point(std::cos(angle), std::sin(angle))).event,
+              TipEvent::advanced);
+    ASSERT_EQ(advance_tip(mesh, 1, testing::tip_of(mesh, 1) + 0.4 * Point(-1, -0.1 + 0.01 * i)).event,
+              TipEvent::advanced);
+    ASSERT_TRUE(testing::is_sound(mesh, body)) << "step " << i;
+  }
+  EXPECT_GT(testing::tip_of(mesh, 0).x(), 12.0);
 }
 
 }  // namespace

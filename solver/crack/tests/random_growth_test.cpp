@@ -43,7 +43,6 @@ TEST(RandomGrowth, KeepsAllInvariantsOver200PathsOf20Advances) {
   const mesh::PolygonMesh body = testing::brick_mesh(10, 10, 0.25, 7);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   int inserted = 0, advanced = 0, ended = 0, refused = 0, rejected = 0;
-  std::map<std::string, int> reasons;
   for (int trial = 0; trial < 200; ++trial) {
     mesh::PolygonMesh mesh = body;
     const Start start = random_start(random, side);
@@ -59,8 +58,9 @@ TEST(RandomGrowth, KeepsAllInvariantsOver200PathsOf20Advances) {
       insert_crack(mesh, path, 0);
       ++inserted;
     } catch (const CrackError& error) {
+      // A random path may leave the body; it must not be one that cannot be cut.
+      EXPECT_EQ(std::string(error.what()).find("cannot be cut"), std::string::npos) << error.what();
       ++rejected;
-      ++reasons[error.what()];
       continue;
     }
     ASSERT_TRUE(testing::is_sound(mesh, body)) << "path " << trial;
@@ -76,14 +76,9 @@ TEST(RandomGrowth, KeepsAllInvariantsOver200PathsOf20Advances) {
       if (a.event == TipEvent::reached_boundary || a.event == TipEvent::reached_crack) ++ended;
       if (a.event == TipEvent::refused) {
         ++refused;
-        ++reasons[a.reason];
+        ADD_FAILURE() << a.reason;
       }
     }
-  }
-  if (std::getenv("CRACK_TALK")) {
-    std::printf("inserted %d rejected %d advanced %d ended %d refused %d\n", inserted, rejected, advanced, ended,
-                refused);
-    for (const auto& [r, n] : reasons) std::printf("%d × %s\n", n, r.c_str());
   }
   // No segment here turns by more than 90 degrees, so there is nothing to refuse.
   EXPECT_GE(inserted, 150);
