@@ -116,6 +116,18 @@ acceleration = 1.62
   EXPECT_EQ(scene.gravity->acceleration, 1.62);
 }
 
+TEST(Reader, ReadsGradedEdges) {
+  const Override changes[] = {
+      {"mesh.cells", "\"one\""},
+      {"mesh.grade", "[{ corner = [2, 0], layers = 4 }, { corner = [0, 0], layers = 1, ratio = 0.5 }]"}};
+  const Scene scene = read_scene_text(static_scene, "dam.toml", changes);
+  ASSERT_EQ(scene.mesh.grade.size(), 2u);
+  EXPECT_EQ(scene.mesh.grade[0].corner, Point(2, 0));
+  EXPECT_EQ(scene.mesh.grade[0].layers, 4);
+  EXPECT_EQ(scene.mesh.grade[0].ratio, Grading{}.ratio);
+  EXPECT_EQ(scene.mesh.grade[1].ratio, 0.5);
+}
+
 TEST(Reader, ReadsPolygonsWrittenOut) {
   const Scene scene = read_scene_text(R"(
 name = "two squares"
