@@ -1,0 +1,142 @@
+#include "solver/crackwater/pressure_tangent.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "solver/crackwater/tests/reference_crack.hpp"
+
+namespace sunder::crackwater {
+namespace {
+
+using tests::linear_motion;
+using tests::Motion;
+using tests::reference_head;
+using tests::reference_motion;
+
+struct Case {
+  const char* description;
+  Motion motion;
+  MouthPressures mouths;
+  Quadrature quadrature = Quadrature::exact;
+};
+
+Motion wavy(int n, double phase) {
+  Motion motion;
+  for (int i = 0; i <= n; ++i) {
+    const double x = static_cast<double>(i) / n;
+    motion.apertures.push_back(0.04 + 0.02 * std::sin(5.0 * x));
+    motion.rates.push_back(0.05 * std::sin(9.0 * x + phase));
+  }
+  return motion;
+}
+
+/// All inputs of a profile in the order of the tangent's columns.
+Eigen::VectorXd inputs(const Motion& motion, const MouthPressures& mouths) {
+  const Eigen::Index nodes = static_cast<Eigen::Index>(motion.apertures.size());
+  Eigen::VectorXd x(2 * nodes + 2);
+  x.head(nodes) = Eigen::Map<const Eigen::VectorXd>(motion.apertures.data(), nodes);
+  x.segment(nodes, nodes) = Eigen::Map<const Eigen::VectorXd>(motion.rates.data(), nodes);
+  x[2 * nodes] = mouths.upstream;
+  x[2 * nodes + 1] = mouths.downstream.value_or(0.0);
+  return x;
+}
+
+/// Nodal pressures above, nodal forces below.
+Eigen::VectorXd answer(PressureSolver& solver, const Eigen::VectorXd& x, bool open) {
+  const Eigen::Index nodes = (x.size() - 2) / 2;
+  MouthPressures mouths{x[2 * nodes], {}};
+  if (open) mouths.downstream = x[2 * nodes + 1];
+  const std::span<const double> w(x.data(), static_cast<std::size_t>(nodes));
+  const std::span<const double> v(x.data() + nodes, static_cast<std::size_t>(nodes));
+  const PressureProfile& p = solver.solve(w, v, mouths);
+  Eigen::VectorXd y(2 * nodes);
+  y.head(nodes) = Eigen::Map<const Eigen::VectorXd>(p.pressure.data(), nodes);
+  y.tail(nodes) = Eigen::Map<const Eigen::VectorXd>(p.nodal_force.data(), nodes);
+  return y;
+}
+
+TEST(PressureTangent, AgreesWithDifferences) {
+  const int n = 12;
+  const Case cases[] = {
+      {"opening, with a front", reference_motion(n, 0.10), {reference_head, 0.0}},
+      {"through flow at rest", reference_motion(n, 0.0), {reference_head, 0.0}},
+      {"closing, flux turns inside", reference_motion(n, -0.10), {reference_head, 1e5}},
+      {"closed tip, full", reference_motion(n, -0.10), {reference_head, {}}},
+      {"closed tip, opening", reference_motion(n, 0.10), {reference_head, {}}},
+      {"two wet regions", linear_motion(n, 0.10, 0.05, 0.10, 0.08), {reference_head, 0.4 * reference_head}},
+      {"an island", wavy(n, 0.7), {3e5, 1e5}},
+      {"an island, closed tip", wavy(n, 2.0), {3e5, {}}},
+      {"strong taper", linear_motion(n, 0.10, 0.001, -0.01, 0.0), {reference_head, 0.0}},
+      {"midpoint, opening", reference_motion(n, 0.10), {reference_head, 0.0}, Quadrature::midpoint},
+      {"midpoint, closing", reference_motion(n, -0.10), {reference_head, 1e5}, Quadrature::midpoint},
+  };
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.description);
+    PressureSolver solver(straight_crack(45.0, n), {}, {.quadrature = c.quadrature});
+    const bool open = c.mouths.downstream.has_value();
+    const Eigen::VectorXd x = inputs(c.motion, c.mouths);
+    const Eigen::VectorXd at = answer(solver, x, open);
+    ASSERT_EQ(solver.profile().status, ProfileStatus::converged);
+    PressureTangent tangent(n);
+    differentiate(solver, tangent);
+    const Eigen::Index nodes = n + 1;
+    for (Eigen::Index column = 0; column < x.size(); ++column) {
+      if (column == 2 * nodes + 1 && !(open && *c.mouths.downstream > 0.0)) continue;  // a dry mouth stays dry
+      // Central differences: h³ of the third derivative and ε/h of round-off meet near h = 1e-5 of the input's scale.
+      const double scale = column < nodes ? x[column] : (column < 2 * nodes ? 0.1 : reference_head);
+      const double h = 1e-5 * scale;
+      Eigen::VectorXd there = x;
+      there[column] += h;
+      Eigen::VectorXd difference = answer(solver, there, open);
+      there[column] = x[column] - h;
+      difference = (difference - answer(solver, there, open)) / (2.0 * h);
+      // (1e-5)² of a response that is not smoother than its size, and 1e-12 · p/h of the solver's own round-off
+      const double peak = at.head(nodes).maxCoeff();
+      const double tolerance = 1e-6 * difference.head(nodes).lpNorm<Eigen::Infinity>() + 1e-12 * peak / h;
+      for (Eigen::Index node = 0; node < nodes; ++node) {
+        EXPECT_NEAR(tangent.pressure(node, column), difference[node], tolerance) << "p " << node << " " << column;
+        EXPECT_NEAR(tangent.nodal_force(node, column), difference[nodes + node], 3.75 * tolerance)
+            << "f " << node << " " << column;  // a segment is 3.75 m long
+      }
+    }
+  }
+}
+
+TEST(PressureTangent, IsContinuousWhereAFrontPassesANode) {
+  // The opening reference crack with nodes so placed that the front comes within 1e-k of one from either side.
+  const double front = 9.92930673144195245;
+  PressureTangent before(3), after(3);
+  for (int k = 2; k <= 12; k += 2) {
+    for (const bool behind : {true, false}) {
+      const double node = front * (1.0 + (behind ? -1.0 : 1.0) * std::pow(10.0, -k));
+      const CrackLine line{{5.0, node - 5.0, 45.0 - node}, {}};
+      PressureSolver solver(line, {});
+      Motion motion;
+      for (const double s : {0.0, 5.0, node, 45.0}) {
+        motion.apertures.push_back(0.10 - 0.05 * s / 45.0);
+        motion.rates.push_back(0.10 * (1.0 - s / 45.0));
+      }
+      const PressureProfile& p = solver.solve(motion.apertures, motion.rates, {reference_head, 0.0});
+      EXPECT_NEAR(p.front_position, front, 1e-12 * front);
+      EXPECT_NEAR(p.uplift_force, 1233201.40063765116, 1e-12 * 1233201.4);
+      EXPECT_GE(p.pressure[2], 0.0);
+      differentiate(solver, behind ? before : after);
+    }
+    // both one-sided derivatives tend to the same, at least as fast as the distance
+    const double scale = before.pressure.lpNorm<Eigen::Infinity>();
+    EXPECT_LE((before.pressure - after.pressure).lpNorm<Eigen::Infinity>(), 20.0 * std::pow(10.0, -k) * scale + 1e-10 * scale);
+  }
+}
+
+TEST(PressureTangent, VanishesForTheUniformModel) {
+  PressureSolver solver(straight_crack(10.0, 4), {});
+  (void)solver.uniform(1e5);
+  PressureTangent tangent(4);
+  tangent.pressure.setOnes();
+  differentiate(solver, tangent);
+  EXPECT_EQ(tangent.pressure.lpNorm<Eigen::Infinity>(), 0.0);
+}
+
+}  // namespace
+}  // namespace sunder::crackwater
