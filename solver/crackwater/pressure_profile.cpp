@@ -344,7 +344,7 @@ void PressureSolver::solve_through() {
 
 void PressureSolver::solve_never_closing() {
   const int n = table_.count();
-  const bool clip = planted_fault("crackwater/clipped-cavitation");
+  const bool clip = planted_fault("crackwater/clipped-cavitation"), flat = table_.flat();
   Region region;
   region.end = {n - 1, 1.0};
   region.start_pressure = upstream_;
@@ -363,7 +363,16 @@ void PressureSolver::solve_never_closing() {
   auto [lower, upper] = flux_bracket();
   if (!open_) upper = table_.tip_change();
   const Region pattern = region;
-  if (clip) {
+  const bool dry_mouth = upstream_ == 0.0 && !clip;
+  const double nearest = flat ? table_.middle_change(0) : 0.0;
+  if (dry_mouth) {
+    // No water above the mouth: none comes in. What enters downstream may reach it, with q < 0 all along.
+    if (!open_ || downstream_ == 0.0) return;
+    if (through_residual(nearest, false).value < 0.0) upper = nearest;
+  }
+  if (dry_mouth && upper != nearest) {
+    region.constant = nearest;
+  } else if (clip || dry_mouth) {
     auto residual = [this](double c, bool wants_slope) { return through_residual(c, wants_slope); };
     region = find(numerics::RootFunction(residual), lower, upper);
   } else {
@@ -373,10 +382,9 @@ void PressureSolver::solve_never_closing() {
   region.start_pressure = pattern.start_pressure;
   region.end = pattern.end;
   const double c = region.constant;
-  const bool flat = table_.quadrature() == Quadrature::midpoint;
   const double furthest = flat ? table_.middle_change(n - 1) : table_.change(n);
-  bool through = clip || c >= furthest || c <= (flat ? table_.middle_change(0) : 0.0);
-  if (!through && open_ && downstream_ > 0.0) {  // which of the two minima was it?
+  bool through = clip || c >= furthest || (dry_mouth ? upper == nearest : c <= nearest);
+  if (!through && !dry_mouth && open_ && downstream_ > 0.0) {  // which of the two minima was it?
     const Residual end = through_residual(c, false);
     const Residual lower_one = front_residual(c, false);
     through = end.value <= lower_one.value;
@@ -384,7 +392,7 @@ void PressureSolver::solve_never_closing() {
   region.to_mouth = through && open_;
   if (!through) region.end = crossing_of(c);
   use_prefix_ = false;
-  place(region);
+  if (through || !dry_mouth) place(region);
   if (through || !open_ || downstream_ == 0.0) return;
 
   use_prefix_ = options_.search == Search::prefix_moments;

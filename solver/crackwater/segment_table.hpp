@@ -70,6 +70,7 @@ class SegmentTable {
 
   /// Whether V is constant in each segment, so that fronts lie at nodes and resultants follow the trapezoidal rule.
   bool flat() const { return steps_ || quadrature_ == Quadrature::midpoint; }
+  bool marching() const { return steps_; }
   double loss_coefficient(int i) const { return a0_[static_cast<std::size_t>(i)]; }  ///< ∫ w⁻³ ds [1/m²]
 
   int count() const { return count_; }

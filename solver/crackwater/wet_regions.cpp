@@ -21,7 +21,8 @@ double PressureSolver::free_constant(int i, double y) const {
   const double rise = table_.weight(i + 1) - table_.weight(i);
   if (table_.flat()) {
     const double v = table_.middle_change(i);
-    return rise == 0.0 ? v : v + flux_of_resistance(table_.law(), -rise / table_.loss_coefficient(i));
+    // in a march the void may hold little water: it stands where it is not pressed
+    return rise == 0.0 || table_.marching() ? v : v + flux_of_resistance(table_.law(), -rise / table_.loss_coefficient(i));
   }
   const Segment segment = table_.segment(i);
   const double v = segment.middle + y * (segment.linear + y * segment.quadratic);
@@ -135,6 +136,11 @@ void PressureSolver::solve_general() {
     double lower = 0.0, upper = 0.0;
     if (at_mouth) {
       std::tie(lower, upper) = flux_bracket();
+      if (upstream_ == 0.0) {  // no water above the mouth: none comes in, and p rises from there or the crack is void
+        upper = free_constant(0, -1.0);
+        const Minimum dry = lowest(mouth, 0.0, upper);
+        if (dry.residual.value >= -dry.residual.floor) continue;
+      }
     } else {
       bound = first_descent(from);
       const bool at_end = bound.segment == n - 1 && bound.y == 1.0;

@@ -1,0 +1,140 @@
+#include "solver/crackwater/filling_march.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "solver/crackwater/check.hpp"
+#include "solver/crackwater/lanes.hpp"
+
+namespace sunder::crackwater {
+
+namespace {
+
+/// sum += value, keeping what rounding drops in `rest` [Neumaier 1974].
+void add(double& sum, double& rest, double value) {
+  const double total = sum + value, part = total - sum;
+  rest += (sum - (total - part)) + (value - part);
+  sum = total;
+}
+
+}  // namespace
+
+FillingMarch::FillingMarch(const CrackLine& line, const Water& water, std::span<const double> apertures,
+                           const MarchOptions& options)
+    : solver_(line, water, {.search = options.search}) {
+  const std::size_t nodes = line.lengths.size() + 1;
+  if (apertures.size() != nodes) {
+    refuse("number of apertures", static_cast<double>(apertures.size()), "the number of segments + 1");
+  }
+  for (std::size_t node = 0; node < nodes; ++node) require_positive("apertures[" + std::to_string(node) + "]", apertures[node]);
+  for (auto* values : {&state_.voids, &state_.capacities, &next_capacities_, &changes_, &rates_}) values->assign(nodes, 0.0);
+  flux_.assign(nodes - 1, 0.0);
+  full_.assign(nodes, 0);
+  capacities(apertures, state_.capacities);
+  if (!options.initially_full) state_.voids = state_.capacities;
+  state_.content = first_content_ = total_content();
+  state_.front_position = options.initially_full ? solver_.table().position(static_cast<int>(nodes) - 1) : 0.0;
+}
+
+void FillingMarch::capacities(std::span<const double> apertures, std::vector<double>& values) const {
+  std::fill(values.begin(), values.end(), 0.0);
+  for (std::size_t i = 0; i + 1 < values.size(); ++i) {
+    const double sixth = solver_.table().length(static_cast<int>(i)) / 6.0;
+    values[i] += sixth * (2.0 * apertures[i] + apertures[i + 1]);
+    values[i + 1] += sixth * (apertures[i] + 2.0 * apertures[i + 1]);
+  }
+}
+
+double FillingMarch::total_content() const {
+  CompensatedSum content;
+  for (std::size_t node = 0; node < state_.voids.size(); ++node) {
+    content.add(state_.capacities[node]);
+    content.add(-state_.voids[node]);
+  }
+  return content.value();
+}
+
+/// Fluxes over the segments and the mouths, and which nodes are full, from the wet regions of the solve.
+void FillingMarch::fluxes(const MouthPressures& mouths) {
+  const SegmentTable& table = solver_.table();
+  const int n = table.count();
+  std::fill(flux_.begin(), flux_.end(), 0.0);
+  std::fill(full_.begin(), full_.end(), static_cast<char>(0));
+  upstream_flux_ = downstream_flux_ = 0.0;
+  for (const PressureSolver::Region& region : solver_.regions()) {
+    const int first = region.start.segment;
+    const int last = region.end.y == 1.0 ? region.end.segment + 1 : region.end.segment;  // nodes
+    // The flux changes by R from one full node to the next: summed from the region's start, not from differences of V, which
+    // hold the voids of all the crack before.
+    double q = first == 0 ? region.constant - rates_[0] : region.constant - table.middle_change(first);
+    if (first == 0) {
+      // a mouth without water above it gives none
+      upstream_flux_ = mouths.upstream > 0.0 ? region.constant : std::min(region.constant, 0.0);
+      full_[0] = upstream_flux_ == region.constant;
+    }
+    for (int i = first; i < last; ++i) {
+      flux_[static_cast<std::size_t>(i)] = q;
+      if (i + 1 < last) {
+        q -= rates_[static_cast<std::size_t>(i) + 1];
+        full_[static_cast<std::size_t>(i) + 1] = 1;
+      }
+    }
+    if (last == n && (region.closed || region.to_mouth)) {
+      const double through = q - rates_[static_cast<std::size_t>(n)];
+      const bool wet_mouth = mouths.downstream.value_or(0.0) > 0.0;
+      downstream_flux_ = region.closed ? 0.0 : (wet_mouth ? through : std::max(through, 0.0));
+      full_[static_cast<std::size_t>(n)] = region.closed || downstream_flux_ == through;
+    }
+  }
+}
+
+const MarchState& FillingMarch::step(std::span<const double> apertures, const MouthPressures& mouths,
+                                     double time_step) noexcept {
+  const std::size_t nodes = state_.voids.size();
+  state_.status = ProfileStatus::unusable_input;
+  if (apertures.size() != nodes || !(time_step > 0.0) || !std::isfinite(time_step)) return state_;
+  capacities(apertures, next_capacities_);
+  CompensatedSum change;
+  for (std::size_t node = 0; node < nodes; ++node) {
+    rates_[node] = (state_.voids[node] + (next_capacities_[node] - state_.capacities[node])) / time_step;
+    change.add(rates_[node]);
+    changes_[node] = change.value();
+  }
+  if (!solver_.table_for_march().fill_steps(apertures, changes_)) return state_;
+  const PressureProfile& profile = solver_.solve_filled(mouths);
+  state_.status = profile.status;
+  if (profile.status == ProfileStatus::unusable_input) return state_;
+
+  fluxes(mouths);
+  for (std::size_t node = 0; node < nodes; ++node) {
+    const double in = node == 0 ? upstream_flux_ : flux_[node - 1];
+    const double out = node + 1 == nodes ? downstream_flux_ : flux_[node];
+    const double next = state_.voids[node] + (next_capacities_[node] - state_.capacities[node]) - time_step * (in - out);
+    state_.voids[node] = full_[node] ? 0.0 : std::clamp(next, 0.0, next_capacities_[node]);
+  }
+  std::swap(state_.capacities, next_capacities_);
+  state_.time += time_step;
+  add(state_.inflow, inflow_rest_, time_step * upstream_flux_);
+  add(state_.outflow, outflow_rest_, time_step * downstream_flux_);
+  state_.moved += time_step * (std::abs(upstream_flux_) + std::abs(downstream_flux_));
+  state_.content = total_content();
+  state_.balance_error = ((state_.content - first_content_) - (state_.inflow - state_.outflow)) - (inflow_rest_ - outflow_rest_);
+  state_.residual_evaluations += profile.residual_evaluations;
+  state_.gradient_evaluations += profile.gradient_evaluations;
+  ++state_.steps;
+
+  const SegmentTable& table = solver_.table();
+  const auto first_void = std::find_if(state_.voids.begin(), state_.voids.end(), [](double v) { return v > 0.0; });
+  const int node = static_cast<int>(first_void - state_.voids.begin()), n = table.count();
+  if (node > n) {
+    state_.front_position = table.position(n);
+  } else {
+    const double before = node > 0 ? 0.5 * table.length(node - 1) : 0.0, after = node < n ? 0.5 * table.length(node) : 0.0;
+    const double filled = 1.0 - *first_void / state_.capacities[static_cast<std::size_t>(node)];
+    state_.front_position = table.position(node) - before + filled * (before + after);
+  }
+  return state_;
+}
+
+}  // namespace sunder::crackwater
