@@ -27,8 +27,10 @@ FillingMarch::FillingMarch(const CrackLine& line, const Water& water, std::span<
   if (apertures.size() != nodes) {
     refuse("number of apertures", static_cast<double>(apertures.size()), "the number of segments + 1");
   }
-  for (std::size_t node = 0; node < nodes; ++node) require_positive("apertures[" + std::to_string(node) + "]", apertures[node]);
-  for (auto* values : {&state_.voids, &state_.capacities, &next_capacities_, &changes_, &rates_}) values->assign(nodes, 0.0);
+  for (std::size_t node = 0; node < nodes; ++node)
+    require_positive("apertures[" + std::to_string(node) + "]", apertures[node]);
+  for (auto* values : {&state_.voids, &state_.capacities, &next_capacities_, &changes_, &rates_})
+    values->assign(nodes, 0.0);
   flux_.assign(nodes - 1, 0.0);
   full_.assign(nodes, 0);
   capacities(apertures, state_.capacities);
@@ -61,12 +63,16 @@ void FillingMarch::fluxes(const MouthPressures& mouths) {
   const int n = table.count();
   std::fill(flux_.begin(), flux_.end(), 0.0);
   std::fill(full_.begin(), full_.end(), static_cast<char>(0));
-  upstream_flux_ = downstream_flux_ = 0.0;
+  // mouths that no wet region reaches: what does not fit into their node leaves by them
+  upstream_flux_ = std::min(rates_.front(), 0.0);
+  downstream_flux_ = mouths.downstream ? std::max(-rates_.back(), 0.0) : 0.0;
+  full_.front() = upstream_flux_ < 0.0;
+  full_.back() = downstream_flux_ > 0.0;
   for (const PressureSolver::Region& region : solver_.regions()) {
     const int first = region.start.segment;
     const int last = region.end.y == 1.0 ? region.end.segment + 1 : region.end.segment;  // nodes
-    // The flux changes by R from one full node to the next: summed from the region's start, not from differences of V, which
-    // hold the voids of all the crack before.
+    // The flux changes by R from one full node to the next: summed from the region's start, not from differences of V,
+    // which hold the voids of all the crack before.
     double q = first == 0 ? region.constant - rates_[0] : region.constant - table.middle_change(first);
     if (first == 0) {
       // a mouth without water above it gives none
@@ -110,7 +116,8 @@ const MarchState& FillingMarch::step(std::span<const double> apertures, const Mo
   for (std::size_t node = 0; node < nodes; ++node) {
     const double in = node == 0 ? upstream_flux_ : flux_[node - 1];
     const double out = node + 1 == nodes ? downstream_flux_ : flux_[node];
-    const double next = state_.voids[node] + (next_capacities_[node] - state_.capacities[node]) - time_step * (in - out);
+    const double next =
+        state_.voids[node] + (next_capacities_[node] - state_.capacities[node]) - time_step * (in - out);
     state_.voids[node] = full_[node] ? 0.0 : std::clamp(next, 0.0, next_capacities_[node]);
   }
   std::swap(state_.capacities, next_capacities_);
@@ -119,7 +126,8 @@ const MarchState& FillingMarch::step(std::span<const double> apertures, const Mo
   add(state_.outflow, outflow_rest_, time_step * downstream_flux_);
   state_.moved += time_step * (std::abs(upstream_flux_) + std::abs(downstream_flux_));
   state_.content = total_content();
-  state_.balance_error = ((state_.content - first_content_) - (state_.inflow - state_.outflow)) - (inflow_rest_ - outflow_rest_);
+  state_.balance_error =
+      ((state_.content - first_content_) - (state_.inflow - state_.outflow)) - (inflow_rest_ - outflow_rest_);
   state_.residual_evaluations += profile.residual_evaluations;
   state_.gradient_evaluations += profile.gradient_evaluations;
   ++state_.steps;
@@ -130,7 +138,8 @@ const MarchState& FillingMarch::step(std::span<const double> apertures, const Mo
   if (node > n) {
     state_.front_position = table.position(n);
   } else {
-    const double before = node > 0 ? 0.5 * table.length(node - 1) : 0.0, after = node < n ? 0.5 * table.length(node) : 0.0;
+    const double before = node > 0 ? 0.5 * table.length(node - 1) : 0.0,
+                 after = node < n ? 0.5 * table.length(node) : 0.0;
     const double filled = 1.0 - *first_void / state_.capacities[static_cast<std::size_t>(node)];
     state_.front_position = table.position(node) - before + filled * (before + after);
   }

@@ -1,15 +1,16 @@
 #pragma once
-/// A crack that fills and empties in time: where the water stands after each step, how much of it there is, what it presses.
+/// A crack that fills and empties in time: where the water stands after each step, how much of it there is, what it
+/// presses.
 ///
-/// Each node owns the half segments beside it, with capacity C = ∫ N w ds [m²]; what is not water there is void. A step of
-/// backward Euler from a void to the next, with the apertures at the end of the step:
+/// Each node owns the half segments beside it, with capacity C = ∫ N w ds [m²]; what is not water there is void. A step
+/// of backward Euler from a void to the next, with the apertures at the end of the step:
 ///
 ///     void' = void + ΔC - Δt (q_in - q_out),   0 ≤ p,  0 ≤ void',  p void' = 0
 ///
-/// is the problem of pressure_profile.hpp with R = (void + ΔC)/Δt in place of the opening rates: where p > 0 the node is full, and
-/// fronts, islands and voids come out with it. The order is one in time and segment length jointly. Water is conserved by
-/// construction: a flux that leaves one node enters the next. Where the crack is not full water stands until it is pressed: it does
-/// not run down an inclined crack.
+/// is the problem of pressure_profile.hpp with R = (void + ΔC)/Δt in place of the opening rates: where p > 0 the node
+/// is full, and fronts, islands and voids come out with it. The order is one in time and segment length jointly. Water
+/// is conserved by construction: a flux that leaves one node enters the next. Where the crack is not full water stands
+/// until it is pressed: it does not run down an inclined crack.
 
 #include <span>
 #include <vector>
@@ -25,26 +26,28 @@ struct MarchOptions {
 
 struct MarchState {
   ProfileStatus status = ProfileStatus::converged;
-  double time = 0.0;                 ///< [s] since the start
-  std::vector<double> voids;         ///< (n + 1) [m²], 0 … capacity
-  std::vector<double> capacities;    ///< (n + 1) [m²]
-  double content = 0.0;              ///< water in the crack [m²]
-  double inflow = 0.0;               ///< through the upstream mouth since the start [m²], negative: out
-  double outflow = 0.0;              ///< through the downstream mouth since the start [m²]
-  double moved = 0.0;                ///< Σ of the sizes of both
-  double balance_error = 0.0;        ///< content - first content - inflow + outflow [m²]
-  double front_position = 0.0;       ///< how far the crack is full from the upstream mouth [m]
+  double time = 0.0;               ///< [s] since the start
+  std::vector<double> voids;       ///< (n + 1) [m²], 0 … capacity
+  std::vector<double> capacities;  ///< (n + 1) [m²]
+  double content = 0.0;            ///< water in the crack [m²]
+  double inflow = 0.0;             ///< through the upstream mouth since the start [m²], negative: out
+  double outflow = 0.0;            ///< through the downstream mouth since the start [m²]
+  double moved = 0.0;              ///< Σ of the sizes of both
+  double balance_error = 0.0;      ///< content - first content - inflow + outflow [m²]
+  double front_position = 0.0;     ///< how far the crack is full from the upstream mouth [m]
   long long residual_evaluations = 0, gradient_evaluations = 0, steps = 0;
 };
 
 class FillingMarch {
  public:
-  /// `apertures` [m], (n + 1), > 0, are those at the start. Throws std::invalid_argument naming the value and its bound.
+  /// `apertures` [m], (n + 1), > 0, are those at the start. Throws std::invalid_argument naming the value and its
+  /// bound.
   FillingMarch(const CrackLine& line, const Water& water, std::span<const double> apertures,
                const MarchOptions& options = {});
 
-  /// One step of `time_step` [s] > 0 that ends with these apertures and mouth pressures. Allocates and throws nothing; after a
-  /// status other than `converged` the state is that of the best answer, after `unusable_input` that before the step.
+  /// One step of `time_step` [s] > 0 that ends with these apertures and mouth pressures. Allocates and throws nothing;
+  /// after a status other than `converged` the state is that of the best answer, after `unusable_input` that before the
+  /// step.
   const MarchState& step(std::span<const double> apertures, const MouthPressures& mouths, double time_step) noexcept;
 
   const MarchState& state() const { return state_; }

@@ -17,8 +17,12 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-double position_of(double measure) { return std::cbrt(measure * measure); }
-double measure_of(double position) { return position * std::sqrt(position); }
+double position_of(double measure) {
+  return std::cbrt(measure * measure);
+}
+double measure_of(double position) {
+  return position * std::sqrt(position);
+}
 
 // Dormand & Prince 1980, Table 2: RK5(4)7M.
 constexpr int stages = 7;
@@ -31,8 +35,8 @@ constexpr double matrix[stages][stages - 1] = {
     {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
     {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
     {35.0 / 384, 0.0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}};
-constexpr double error_weights[stages] = {71.0 / 57600,      0.0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200,
-                                          22.0 / 525, -1.0 / 40};
+constexpr double error_weights[stages] = {71.0 / 57600,      0.0,        -71.0 / 16695, 71.0 / 1920,
+                                          -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
 
 }  // namespace
 
@@ -46,14 +50,17 @@ FrontTracker::FrontTracker(const CrackLine& line, const Water& water, CrackMotio
   require_positive("first_step", options.first_step);
   if (table_.inclined()) refuse("rises", 1.0, "absent: a tracked front runs in a horizontal crack");
   if (!options_.water_ahead.empty() && options_.water_ahead.size() != apertures_.size()) {
-    refuse("number of water_ahead", static_cast<double>(options_.water_ahead.size()), "0 or the number of segments + 1");
+    refuse("number of water_ahead", static_cast<double>(options_.water_ahead.size()),
+           "0 or the number of segments + 1");
   }
   for (std::size_t node = 0; node < options_.water_ahead.size(); ++node) {
     require_not_negative("water_ahead[" + std::to_string(node) + "]", options_.water_ahead[node]);
   }
 }
 
-double FrontTracker::crack_length() const { return table_.position(table_.count()); }
+double FrontTracker::crack_length() const {
+  return table_.position(table_.count());
+}
 
 /// d(x^(3/2))/dt. Leaves the fluxes in `track_`.
 double FrontTracker::speed(double time, double measure) {
@@ -63,8 +70,8 @@ double FrontTracker::speed(double time, double measure) {
   const int n = table_.count();
   const double x = std::min(position_of(measure), crack_length());
   const auto positions = table_.positions().first(static_cast<std::size_t>(n) + 1);
-  const int i = std::clamp(static_cast<int>(std::upper_bound(positions.begin(), positions.end(), x) - positions.begin()) - 1,
-                           0, n - 1);
+  const int i = std::clamp(
+      static_cast<int>(std::upper_bound(positions.begin(), positions.end(), x) - positions.begin()) - 1, 0, n - 1);
   const double y = std::clamp(2.0 * (x - table_.position(i)) / table_.length(i) - 1.0, -1.0, 1.0);
   const Segment segment = table_.segment(i);
   const double w = aperture(segment, y);
@@ -94,7 +101,8 @@ double FrontTracker::speed(double time, double measure) {
   const numerics::BracketedRoot root = bracketed_root(
       numerics::RootFunction(residual), table_.least_change() - at_front - 16.0 * epsilon * std::abs(at_front),
       table_.greatest_change() - at_front + still, {.method = numerics::RootMethod::newton});
-  usable_ = usable_ && root.status != numerics::RootStatus::not_finite && root.status != numerics::RootStatus::no_sign_change;
+  usable_ =
+      usable_ && root.status != numerics::RootStatus::not_finite && root.status != numerics::RootStatus::no_sign_change;
   track_.flux = root.root;
   track_.upstream_flux = root.root + at_front;
   return 1.5 * std::sqrt(x) * root.root / (w - ahead);
@@ -121,7 +129,8 @@ FrontTrack FrontTracker::track(double position, double start, double end) {
     }
     step = std::min(step, end - time);
     // A step that would leave the crack is shortened until its end is met: x grows, so dt/dx is finite.
-    if (slope[0] > 0.0) step = std::min(step, std::max((goal - measure) / slope[0] * 2.0, 4.0 * epsilon * std::abs(end)));
+    if (slope[0] > 0.0)
+      step = std::min(step, std::max((goal - measure) / slope[0] * 2.0, 4.0 * epsilon * std::abs(end)));
     double error = 0.0, next = measure;
     for (int stage = 1; stage < stages && usable_; ++stage) {
       double at = 0.0;
@@ -130,7 +139,8 @@ FrontTrack FrontTracker::track(double position, double start, double end) {
       slope[static_cast<std::size_t>(stage)] = speed(time + nodes[stage] * step, std::max(next, 0.0));
     }
     for (int stage = 0; stage < stages; ++stage) error += error_weights[stage] * slope[static_cast<std::size_t>(stage)];
-    const double scale = options_.tolerance * measure_of(position_of(std::max(next, measure)) + table_.length(0) * 1e-3);
+    const double scale =
+        options_.tolerance * measure_of(position_of(std::max(next, measure)) + table_.length(0) * 1e-3);
     const double ratio = std::abs(step * error) / scale;
     const bool overshoots = next > goal * (1.0 + options_.tolerance);
     const bool turns = slope[stages - 1] < 0.0;  // try again shorter, to end where the flux is nil

@@ -1,11 +1,12 @@
 #pragma once
 /// The front of water that runs into a dry or partly dry crack, followed exactly through the segments.
 ///
-/// Behind the front x(t) the crack is full and its flux follows from the pressures, p(0) = p_up and p(x) = 0; the front moves by
-/// continuity, dx/dt = q(x)/void(x, t) with void = aperture - water that lies ahead. x starts as t^(2/3) in an empty crack
-/// (turbulent), so x^(3/2) is what is integrated, by the embedded Runge-Kutta pair of order 5(4) [Dormand & Prince 1980] with
-/// |error| ≤ tolerance · (x + first segment) a step. Where the flux at the front turns back the front would leave water behind
-/// on its way out; that is the march's business (filling_march.hpp), and the tracking stops there and says so.
+/// Behind the front x(t) the crack is full and its flux follows from the pressures, p(0) = p_up and p(x) = 0; the front
+/// moves by continuity, dx/dt = q(x)/void(x, t) with void = aperture - water that lies ahead. x starts as t^(2/3) in an
+/// empty crack (turbulent), so x^(3/2) is what is integrated, by the embedded Runge-Kutta pair of order 5(4) [Dormand &
+/// Prince 1980] with |error| ≤ tolerance · (x + first segment) a step. Where the flux at the front turns back the front
+/// would leave water behind on its way out; that is the march's business (filling_march.hpp), and the tracking stops
+/// there and says so.
 
 #include <functional>
 #include <span>
@@ -19,18 +20,19 @@ namespace sunder::crackwater {
 using CrackMotion = std::function<double(double time, std::span<double> apertures, std::span<double> rates)>;
 
 struct FrontOptions {
-  double tolerance = 1e-10;       ///< relative error of x a step, > 0
-  double first_step = 1e-6;       ///< [s], > 0
+  double tolerance = 1e-10;  ///< relative error of x a step, > 0
+  double first_step = 1e-6;  ///< [s], > 0
   int max_steps = 1'000'000;
-  std::vector<double> water_ahead = {};  ///< (n + 1) height of the water that lies in the dry part [m], ≥ 0; empty: none
+  std::vector<double> water_ahead =
+      {};  ///< (n + 1) height of the water that lies in the dry part [m], ≥ 0; empty: none
 };
 
 enum class FrontStatus {
   reached_time,
-  reached_end,    ///< the crack is full; `time` says when
-  turned_back,    ///< the flux at the front became negative; `time` is the last at which it was not
-  step_limit,     ///< max_steps, or a step too small to count
-  unusable_input, ///< a value is not finite or out of its range, or no void is left at the front
+  reached_end,     ///< the crack is full; `time` says when
+  turned_back,     ///< the flux at the front became negative; `time` is the last at which it was not
+  step_limit,      ///< max_steps, or a step too small to count
+  unusable_input,  ///< a value is not finite or out of its range, or no void is left at the front
 };
 
 struct FrontTrack {

@@ -25,7 +25,7 @@ constexpr double gauss_weights[4] = {0.362683783378361982965150449277, 0.3137066
 
 /// Derivatives of the loss over a stretch, and of its parts in the two nodal forces.
 struct StretchTangent {
-  Eigen::Array3d by_flux = Eigen::Array3d::Zero();   ///< rows: loss, to_first, to_last
+  Eigen::Array3d by_flux = Eigen::Array3d::Zero();  ///< rows: loss, to_first, to_last
   Eigen::Array3d by_rate0 = Eigen::Array3d::Zero(), by_rate1 = Eigen::Array3d::Zero();
   Eigen::Array3d by_aperture0 = Eigen::Array3d::Zero(), by_aperture1 = Eigen::Array3d::Zero();
   Eigen::Array3d value = Eigen::Array3d::Zero();
@@ -41,8 +41,12 @@ struct StretchTangent {
 };
 
 /// ∂V/∂v at y, V counted from the segment's first node; the first and the last rate.
-double change_by_first(double h, double y) { return h * (2.0 * (y + 1.0) - (y * y - 1.0)) / 8.0; }
-double change_by_last(double h, double y) { return h * (2.0 * (y + 1.0) + (y * y - 1.0)) / 8.0; }
+double change_by_first(double h, double y) {
+  return h * (2.0 * (y + 1.0) - (y * y - 1.0)) / 8.0;
+}
+double change_by_last(double h, double y) {
+  return h * (2.0 * (y + 1.0) + (y * y - 1.0)) / 8.0;
+}
 
 StretchTangent stretch_tangent(const Segment& segment, const FlowLaw& law, double c, double start, double end) {
   StretchTangent t;

@@ -1,14 +1,15 @@
 #pragma once
-/// How the crack water answers a small change of the faces' motion: derivatives of a solved pressure profile with respect to
-/// apertures, aperture rates and mouth pressures, for a step that solves water and structure together.
+/// How the crack water answers a small change of the faces' motion: derivatives of a solved pressure profile with
+/// respect to apertures, aperture rates and mouth pressures, for a step that solves water and structure together.
 ///
-/// In a wet region δp(s) = δp(start) - ∫ [∂g/∂q (δc - δV) + ∂g/∂w δw] ds; the change δc of its constant follows from the pressure
-/// that is kept at its end, or from continuity at a closed tip. A front contributes nothing by moving: p and dp/ds vanish there.
-/// So the derivatives stay continuous when a front passes a node, which then has p = 0 and, from either side, δp = 0.
-/// Where |q| passes the critical flux, g jumps by Δφ/w³ and the place of the jump moves with the flux: ∂g/∂q holds Δφ/(w³ |v|)
-/// there, which grows without bound as the crack comes to rest. In the band without a root (`at_regime_jump`) the mixture of
-/// the two profiles is differentiated with the flux held and the regimes frozen; in the rates, p has no derivative there at all.
-/// With the rates towards the future at a resting bound (aperture.hpp) multiply by the factors of `apertures(…)`.
+/// In a wet region δp(s) = δp(start) - ∫ [∂g/∂q (δc - δV) + ∂g/∂w δw] ds; the change δc of its constant follows from
+/// the pressure that is kept at its end, or from continuity at a closed tip. A front contributes nothing by moving: p
+/// and dp/ds vanish there. So the derivatives stay continuous when a front passes a node, which then has p = 0 and,
+/// from either side, δp = 0. Where |q| passes the critical flux, g jumps by Δφ/w³ and the place of the jump moves with
+/// the flux: ∂g/∂q holds Δφ/(w³ |v|) there, which grows without bound as the crack comes to rest. In the band without a
+/// root (`at_regime_jump`) the mixture of the two profiles is differentiated with the flux held and the regimes frozen;
+/// in the rates, p has no derivative there at all. With the rates towards the future at a resting bound (aperture.hpp)
+/// multiply by the factors of `apertures(…)`.
 
 #include <Eigen/Core>
 

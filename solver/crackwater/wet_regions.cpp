@@ -22,7 +22,8 @@ double PressureSolver::free_constant(int i, double y) const {
   if (table_.flat()) {
     const double v = table_.middle_change(i);
     // in a march the void may hold little water: it stands where it is not pressed
-    return rise == 0.0 || table_.marching() ? v : v + flux_of_resistance(table_.law(), -rise / table_.loss_coefficient(i));
+    return rise == 0.0 || table_.marching() ? v
+                                            : v + flux_of_resistance(table_.law(), -rise / table_.loss_coefficient(i));
   }
   const Segment segment = table_.segment(i);
   const double v = segment.middle + y * (segment.linear + y * segment.quadratic);
@@ -131,6 +132,7 @@ void PressureSolver::solve_general() {
   };
   Location from = mouth;
   const double cap = open_ ? std::numeric_limits<double>::infinity() : table_.tip_change();
+  double previous = 0.0;
   for (bool at_mouth = true;; at_mouth = false) {
     Location bound = mouth;
     double lower = 0.0, upper = 0.0;
@@ -139,13 +141,18 @@ void PressureSolver::solve_general() {
       if (upstream_ == 0.0) {  // no water above the mouth: none comes in, and p rises from there or the crack is void
         upper = free_constant(0, -1.0);
         const Minimum dry = lowest(mouth, 0.0, upper);
-        if (dry.residual.value >= -dry.residual.floor) continue;
+        if (dry.residual.value >= -dry.residual.floor) {
+          previous = upper;
+          continue;
+        }
       }
     } else {
       bound = first_descent(from);
       const bool at_end = bound.segment == n - 1 && bound.y == 1.0;
-      if (at_end && (!open_ || downstream_ == 0.0)) return;
-      lower = free_constant(from.segment, from.y);
+      // at a closed tip the void may end in a half segment that closes
+      const bool closing_tip = !open_ && table_.tip_change() < free_constant(n - 1, 1.0);
+      if (at_end && !closing_tip && (!open_ || downstream_ == 0.0)) return;
+      lower = previous;  // m never falls; at a node of a march it may step up to less than its free value
       // just before the descent, which may be a step between two segments
       const Location before =
           bound.y == -1.0 && bound.segment > from.segment ? Location{bound.segment - 1, 1.0} : bound;
@@ -178,6 +185,7 @@ void PressureSolver::solve_general() {
       return;
     }
     from = next;
+    previous = region.constant_beyond;
   }
 }
 

@@ -90,7 +90,8 @@ TEST(FrontTracking, ConvergesWithItsTolerance) {
 }
 
 TEST(FrontTracking, SaysWhereItCannotGoOn) {
-  // An opening crack under a falling head: the front stops where it takes all the water to keep the crack behind it full.
+  // An opening crack under a falling head: the front stops where it takes all the water to keep the crack behind it
+  // full.
   const auto opening = [](double t, std::span<double> apertures, std::span<double> rates) {
     std::fill(apertures.begin(), apertures.end(), 0.03 + 0.1 * t);
     std::fill(rates.begin(), rates.end(), 0.1);
@@ -108,7 +109,8 @@ TEST(FrontTracking, SaysWhereItCannotGoOn) {
 }
 
 TEST(FrontTracking, RunsFasterWhereWaterLiesAhead) {
-  // Half of the gap filled halves the void, so all times halve: x(t) of the half-filled crack is x(2 t) of the empty one.
+  // Half of the gap filled halves the void, so all times halve: x(t) of the half-filled crack is x(2 t) of the empty
+  // one.
   const UniformFilling exact;
   FrontTracker tracker(straight_crack(45.0, 45), {}, still(0.001),
                        {.tolerance = 1e-11, .water_ahead = std::vector<double>(46, 0.0005)});
@@ -150,7 +152,8 @@ TEST(FillingMarch, KeepsTheWaterBalance) {
       std::vector<double> w;
       for (int i = 0; i <= n; ++i) {
         const double x = static_cast<double>(i) / n;
-        w.push_back(0.03 * (1.2 - 0.5 * x) * (1.0 + c.amplitude * std::sin(7.0 * t + 4.0 * x) * std::sin(3.0 * x + 1.3 * t)));
+        w.push_back(0.03 * (1.2 - 0.5 * x) *
+                    (1.0 + c.amplitude * std::sin(7.0 * t + 4.0 * x) * std::sin(3.0 * x + 1.3 * t)));
       }
       return w;
     };
@@ -178,7 +181,8 @@ TEST(FillingMarch, KeepsTheWaterBalance) {
 }
 
 TEST(FillingMarch, EndsAFullCrackWhereTheQuasiStaticProfileDoes) {
-  // Backward Euler takes the aperture at the end of the step; as the step shrinks the march tends to the profile of the instant.
+  // Backward Euler takes the aperture at the end of the step; as the step shrinks the march tends to the profile of the
+  // instant.
   const int n = 450;
   const double printed[] = {1247e3, 149.72e6};  // after 0.01 s, to the digits the design gives
   const double rates[] = {0.10, -0.10};

@@ -125,7 +125,8 @@ TEST(PressureTangent, IsContinuousWhereAFrontPassesANode) {
     }
     // both one-sided derivatives tend to the same, at least as fast as the distance
     const double scale = before.pressure.lpNorm<Eigen::Infinity>();
-    EXPECT_LE((before.pressure - after.pressure).lpNorm<Eigen::Infinity>(), 20.0 * std::pow(10.0, -k) * scale + 1e-10 * scale);
+    EXPECT_LE((before.pressure - after.pressure).lpNorm<Eigen::Infinity>(),
+              20.0 * std::pow(10.0, -k) * scale + 1e-10 * scale);
   }
 }
 
