@@ -19,14 +19,52 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
-void PressureSolver::place(const Region& region) {
-  const double end_pressure = lay(region, region.constant, 1.0 - region.share);
+void PressureSolver::place(Region region) {
+  if (region.share > 0.0) mix(region);
+  (void)lay(region, region.constant, 1.0 - region.share);
   if (region.share > 0.0) {
-    const double beyond = lay(region, region.constant_beyond, region.share);
-    const double mixed = (1.0 - region.share) * end_pressure + region.share * beyond;
-    if (region.to_mouth) profile_.residual = std::abs(mixed - downstream_);
+    const double peak = peak_before_, position = peak_position_before_;
+    (void)lay(region, region.constant_beyond, region.share);
+    profile_.peak_pressure = peak;
+    profile_.peak_position = position;
+    note_mixed_extremes(region);
   }
   regions_.push_back(region);
+}
+
+/// Sets the share so that the pressures as they are laid, not as the search summed them, meet what is asked for at the
+/// end.
+void PressureSolver::mix(Region& region) {
+  peak_before_ = profile_.peak_pressure;
+  peak_position_before_ = profile_.peak_position;
+  const double lowest = lowest_pressure_, target = region.to_mouth ? downstream_ : 0.0;
+  const double below = lay(region, region.constant, 0.0) - target,
+               above = lay(region, region.constant_beyond, 0.0) - target;
+  if (below > 0.0 && above < 0.0) region.share = below / (below - above);
+  const double left = (1.0 - region.share) * below + region.share * above;
+  if (profile_.at_regime_jump) profile_.turbulent_share = region.share;
+  profile_.residual = std::abs(left);
+  lowest_pressure_ = lowest;
+}
+
+/// The peak of a mixed profile: at its nodes, and where the flux turns inside a segment that both profiles lose alike.
+void PressureSolver::note_mixed_extremes(const Region& region) {
+  PressureProfile& out = profile_;
+  for (int i = region.start.segment; i <= region.end.segment; ++i) {
+    const double p = out.pressure[static_cast<std::size_t>(i)];
+    if (i > region.start.segment || region.start.y == -1.0) {
+      if (p > out.peak_pressure) {
+        out.peak_pressure = p;
+        out.peak_position = table_.position(i);
+      }
+      if (table_.flat() || !table_.may_turn(i, region.constant)) continue;
+      const Segment segment = table_.segment(i);
+      const double end = i == region.end.segment ? region.end.y : 1.0;
+      const Loss loss = loss_between(segment, table_.law(), region.constant, -1.0, end);
+      const Loss beyond = loss_between(segment, table_.law(), region.constant_beyond, -1.0, end);
+      if (std::abs(loss.value - beyond.value) <= 1e-9 * magnitude_) note_extremes(i, -1.0, end, region.constant, p);
+    }
+  }
 }
 
 /// y where friction and weight balance inside an inclined segment, so that p has an extremum there; NaN where it has
@@ -135,7 +173,7 @@ void PressureSolver::lay_whole(int first, int last, double c, double share, doub
     lay_block(from, std::min(from + block_size, last), c, share, total);
   }
   pressure = total.value();
-  if (first < last) profile_.pressure[static_cast<std::size_t>(last)] += share * pressure;
+  profile_.pressure[static_cast<std::size_t>(last)] += share * pressure;
 }
 
 void PressureSolver::lay_block(int first, int last, double c, double share, CompensatedSum& pressure) {
@@ -220,16 +258,11 @@ void PressureSolver::finish() {
     }
   }
   out.cavitated = wet < table_.position(n) * (1.0 - 4.0 * epsilon);
-  if (out.at_regime_jump) out.peak_pressure = 0.0;
   for (int node = 0; node <= n; ++node) {
     double& p = out.pressure[static_cast<std::size_t>(node)];
-    if (p > 0.0 && !out.at_regime_jump) continue;
+    if (p > 0.0) continue;
     if (p >= -round_off) p = std::max(p, 0.0);  // what rounding leaves next to a front or at a mouth without pressure
     if (p < 0.0 && !planted_fault("crackwater/clipped-cavitation")) out.status = ProfileStatus::not_converged;
-    if (out.at_regime_jump && p > out.peak_pressure) {
-      out.peak_pressure = p;
-      out.peak_position = table_.position(node);
-    }
   }
   if (table_.flat() || planted_fault("crackwater/nodal-trapezoid")) {
     for (int node = 0; node <= n; ++node) {

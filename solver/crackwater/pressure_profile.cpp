@@ -250,14 +250,17 @@ PressureSolver::Region PressureSolver::find(numerics::RootFunction residual, dou
     case numerics::RootStatus::bracket_within_tolerance:
       if (to_round_off) {  // the residual jumps across zero: both sides, mixed so that the pressure is met
         use_prefix_ = false;
-        const double below = residual(root.lower, false).value, above = residual(root.upper, false).value;
+        const Residual below = residual(root.lower, false), above = residual(root.upper, false);
         use_prefix_ = prefix;
-        if (below > 0.0 && above < 0.0) {
+        if (below.value > 0.0 && above.value < 0.0) {
           region.constant = root.lower;
           region.constant_beyond = root.upper;
-          region.share = below / (below - above);
-          profile_.at_regime_jump = true;
-          profile_.turbulent_share = region.share;
+          region.share = below.value / (below.value - above.value);
+          // a steep but continuous residual also misses its floor from one number to the next, but not by this much
+          if (below.value - above.value > 1e6 * (below.floor + above.floor)) {
+            profile_.at_regime_jump = true;
+            profile_.turbulent_share = region.share;
+          }
         }
       }
       break;
@@ -381,6 +384,12 @@ void PressureSolver::solve_never_closing() {
   }
   region.start_pressure = pattern.start_pressure;
   region.end = pattern.end;
+  if (region.share > 0.0 && region.constant <= nearest && region.constant_beyond > nearest && !clip) {
+    // the front lies so close to the mouth that the flux has no digits for it (see solve_general)
+    region.constant = region.constant_beyond;
+    region.share = 0.0;
+    profile_.at_regime_jump = false;
+  }
   const double c = region.constant;
   const double furthest = flat ? table_.middle_change(n - 1) : table_.change(n);
   bool through = clip || c >= furthest || (dry_mouth ? upper == nearest : c <= nearest);

@@ -139,7 +139,9 @@ class PressureSolver {
   void solve_through();
   void solve_never_closing();
   void solve_general();
-  void place(const Region& region);
+  void place(Region region);
+  void mix(Region& region);
+  void note_mixed_extremes(const Region& region);
   double lay(const Region& region, double c, double share);
   void lay_block(int first, int last, double c, double share, CompensatedSum& pressure);
   void lay_whole(int first, int last, double c, double share, double& pressure);
@@ -158,7 +160,7 @@ class PressureSolver {
   Location crossing_of(double c) const;
   Minimum lowest(Location start, double start_pressure, double c);
   Location first_descent(Location from) const;
-  Location rise_to(Location from, double c) const;
+  Location rise_to(Location from, Location to, double c) const;
   double free_constant(int segment, double y) const;
   std::pair<double, double> flux_bracket() const;
 
@@ -168,7 +170,7 @@ class PressureSolver {
   std::vector<Region> regions_;
   std::vector<double> loss_, to_first_, to_last_;
   double upstream_ = 0.0, downstream_ = 0.0;
-  double lowest_pressure_ = 0.0, magnitude_ = 0.0;
+  double lowest_pressure_ = 0.0, magnitude_ = 0.0, peak_before_ = 0.0, peak_position_before_ = 0.0;
   bool open_ = false, use_prefix_ = false;
 };
 

@@ -40,8 +40,10 @@ PressureSolver::Minimum PressureSolver::lowest(Location start, double start_pres
   Minimum minimum;
   minimum.residual.value = std::numeric_limits<double>::infinity();
   double p = start_pressure, slope = 0.0, magnitude = upstream_ + downstream_;
-  bool falling = false;
+  bool falling = false, risen = false;
   const auto candidate = [&](Location at, double value, bool at_end) {
+    // A region behind a void starts where q = 0; by its round-off p may seem to fall there before it rises: no minimum.
+    if (!at_end && !risen && start_pressure == 0.0 && std::abs(value) <= 8.0 * epsilon * magnitude) return;
     if (value > minimum.residual.value) return;  // of equal ones the last
     minimum.residual = {value, -slope, 8.0 * epsilon * magnitude};
     minimum.at = at;
@@ -50,6 +52,7 @@ PressureSolver::Minimum PressureSolver::lowest(Location start, double start_pres
   const auto step = [&](Location from, double loss, double loss_slope) {
     if (falling && !(loss > 0.0)) candidate(from, p, false);
     falling = loss > 0.0;
+    risen = risen || loss < 0.0;
     p -= loss;
     slope += loss_slope;
     magnitude += std::abs(loss);
@@ -100,28 +103,28 @@ Location PressureSolver::first_descent(Location from) const {
   return {n - 1, 1.0};
 }
 
-/// The first point behind `from` where the free constant reaches c.
-Location PressureSolver::rise_to(Location from, double c) const {
-  const int n = table_.count();
-  for (int i = from.segment; i < n; ++i) {
+/// The first point from `from` on where the free constant reaches c; `to` where it does not before.
+Location PressureSolver::rise_to(Location from, Location to, double c) const {
+  for (int i = from.segment; i <= to.segment; ++i) {
     const double start = i == from.segment ? from.y : -1.0;
-    if (!(start < 1.0)) continue;
+    const double stop = i == to.segment ? to.y : 1.0;
+    if (!(start < stop)) continue;
     if (free_constant(i, start) >= c) return {i, start};
     if (table_.flat()) continue;
     std::array<double, 2> y{};
     if (!table_.inclined()) {
-      if (crossings(table_.segment(i), c, start, 1.0, y) > 0) return {i, y[0]};
+      if (crossings(table_.segment(i), c, start, stop, y) > 0) return {i, y[0]};
       continue;
     }
-    if (free_constant(i, 1.0) < c) continue;
-    double low = start, high = 1.0;
+    if (free_constant(i, stop) < c) continue;
+    double low = start, high = stop;
     for (int halving = 0; halving < 60; ++halving) {
       const double middle = 0.5 * (low + high);
       (free_constant(i, middle) >= c ? high : low) = middle;
     }
     return {i, high};
   }
-  return {n - 1, 1.0};
+  return to;
 }
 
 void PressureSolver::solve_general() {
@@ -135,6 +138,7 @@ void PressureSolver::solve_general() {
   double previous = 0.0;
   for (bool at_mouth = true;; at_mouth = false) {
     Location bound = mouth;
+    bool at_end = false;
     double lower = 0.0, upper = 0.0;
     if (at_mouth) {
       std::tie(lower, upper) = flux_bracket();
@@ -148,9 +152,9 @@ void PressureSolver::solve_general() {
       }
     } else {
       bound = first_descent(from);
-      const bool at_end = bound.segment == n - 1 && bound.y == 1.0;
+      at_end = bound.segment == n - 1 && bound.y == 1.0;
       // at a closed tip the void may end in a half segment that closes
-      const bool closing_tip = !open_ && table_.tip_change() < free_constant(n - 1, 1.0);
+      const bool closing_tip = !open_ && table_.flat() && table_.tip_change() < free_constant(n - 1, 1.0);
       if (at_end && !closing_tip && (!open_ || downstream_ == 0.0)) return;
       lower = previous;  // m never falls; at a node of a march it may step up to less than its free value
       // just before the descent, which may be a step between two segments
@@ -158,7 +162,17 @@ void PressureSolver::solve_general() {
           bound.y == -1.0 && bound.segment > from.segment ? Location{bound.segment - 1, 1.0} : bound;
       upper = std::max(lower, free_constant(before.segment, before.y));
     }
-    const auto start_of = [&](double c) { return at_mouth ? mouth : rise_to(from, c); };
+    if (!at_mouth && !at_end) {
+      const Minimum highest = lowest(bound, 0.0, upper);
+      if (!(highest.residual.value < -highest.residual.floor)) {  // an island too small to press: on behind it
+        if (bound.segment + 1 >= n) return;
+        from = rise_to({bound.segment + 1, -1.0}, end, upper);
+        previous = upper;
+        if (from.y == 1.0 && from.segment == n - 1) return;
+        continue;
+      }
+    }
+    const auto start_of = [&](double c) { return at_mouth ? mouth : rise_to(from, bound, c); };
     const double start_pressure = at_mouth ? upstream_ : 0.0;
     const auto minimum_of = [&](double c) { return lowest(start_of(c), start_pressure, c); };
     auto residual = [&](double c, bool) { return minimum_of(c).residual; };
@@ -171,9 +185,20 @@ void PressureSolver::solve_general() {
       if (tip) region.constant = region.constant_beyond = cap;
     }
     if (!tip) region = find(numerics::RootFunction(residual), lower, upper);
+    Minimum minimum = minimum_of(region.constant);
+    if (region.share > 0.0) {
+      const Minimum beyond = minimum_of(region.constant_beyond);
+      if (minimum.at_end != beyond.at_end || std::abs(minimum.at.segment - beyond.at.segment) > 1) {
+        // No regime jump: the region ends so close behind its start that the flux has no digits for it. It ends at the
+        // minimum that has just formed, where p is nil by any measure of the pressures elsewhere.
+        minimum = beyond;
+        region.constant = region.constant_beyond;
+        region.share = 0.0;
+        profile_.at_regime_jump = false;
+      }
+    }
     region.start = start_of(region.constant);
     region.start_pressure = start_pressure;
-    const Minimum minimum = minimum_of(region.constant);
     region.end = tip || minimum.at_end ? end : minimum.at;
     region.closed = tip;
     region.to_mouth = !tip && minimum.at_end && open_;
