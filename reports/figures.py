@@ -1,7 +1,7 @@
 """The figures, as SVG that goes into the page: same records, same bytes.
 
 Colours are those of the page's style sheet (`var(--…)`), so that a figure follows light and dark; text stays text and takes
-the page's font. Series differ in marker and colour, the palette is Okabe and Ito's.
+the page's font. Series differ in marker and colour, the palette is that of [Okabe & Ito 2008].
 """
 from __future__ import annotations
 
