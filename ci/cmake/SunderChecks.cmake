@@ -16,10 +16,11 @@ if(NOT SUNDER_PYTHON)
 endif()
 
 add_test(NAME style/layers COMMAND ${SUNDER_PYTHON} ${PROJECT_SOURCE_DIR}/ci/check-layers ${PROJECT_BINARY_DIR}/layers.txt)
+add_test(NAME style/format COMMAND ${PROJECT_SOURCE_DIR}/ci/check-format)
 add_test(NAME style/citations COMMAND ${SUNDER_PYTHON} ${PROJECT_SOURCE_DIR}/ci/check-citations)
 add_test(NAME style/checks-notice
          COMMAND ${SUNDER_PYTHON} -B -m unittest discover --start-directory ${PROJECT_SOURCE_DIR}/ci/tests --pattern *_test.py)
-set_tests_properties(style/layers style/citations style/checks-notice PROPERTIES LABELS "style;quick" TIMEOUT 60)
+set_tests_properties(style/layers style/format style/citations style/checks-notice PROPERTIES LABELS "style;quick" TIMEOUT 60)
 
 # The report's tests open its page in headless Chromium.
 add_test(NAME report/tests

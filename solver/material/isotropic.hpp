@@ -8,9 +8,9 @@ namespace sunder::material {
 enum class Plane { strain, stress };
 
 struct Isotropic {
-  double youngs_modulus;        ///< E [Pa], > 0
-  double poisson_ratio;         ///< ν [-], 0 <= ν < 0.5
-  double density = 0.0;         ///< ρ [kg/m³], >= 0; needed only where inertia or gravity is present
+  double youngs_modulus;  ///< E [Pa], > 0
+  double poisson_ratio;   ///< ν [-], 0 <= ν < 0.5
+  double density = 0.0;   ///< ρ [kg/m³], >= 0; needed only where inertia or gravity is present
   Plane plane = Plane::strain;
 };
 

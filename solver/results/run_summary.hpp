@@ -15,7 +15,7 @@ struct MeshSize {
 
 /// What one part cost: the contract that a scene does not pay for what it does not have.
 struct PartCost {
-  std::string part = {};              ///< module name: "mesh", "sbfem", "fracture", …
+  std::string part = {};         ///< module name: "mesh", "sbfem", "fracture", …
   long calls = 0;                ///< how often the part was entered
   long long matrix_entries = 0;  ///< coefficients it formed or stored
   double seconds = 0.0;          ///< CPU seconds
@@ -24,7 +24,7 @@ struct PartCost {
 struct RunSummary {
   std::string name, analysis;
   std::string status = "completed";  ///< "completed" or "stopped: <why, where, what was reached>"
-  std::vector<PartCost> parts = {};       ///< the parts that were constructed, in order
+  std::vector<PartCost> parts = {};  ///< the parts that were constructed, in order
   MeshSize mesh;
   Quantity quantities;                                    ///< a table; keys per analysis as documented in the README
   std::vector<std::pair<std::string, long long>> counts;  ///< factorisations, steps, …
