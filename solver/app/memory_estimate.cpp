@@ -27,10 +27,11 @@ long long stiffness_entries(const mesh::NodalMesh& nodes) {
 }
 
 double memory_estimate(const mesh::NodalMesh& nodes) {
-  constexpr double node_bytes = 500.0;  // coordinates, indices, vectors of the solution
+  constexpr double program_bytes = 55e6;  // its libraries, most of all gmsh
+  constexpr double node_bytes = 1500.0;   // coordinates and indices, and the stiffness of half a hexagon
   const double entries = static_cast<double>(stiffness_entries(nodes));
   const double factor = std::max(factor_entries(2.0 * nodes.node_count()), entries);
-  return node_bytes * nodes.node_count() + 24.0 * entries + 8.0 * factor;
+  return program_bytes + node_bytes * nodes.node_count() + 24.0 * entries + 8.0 * factor;
 }
 
 }  // namespace sunder::app

@@ -31,7 +31,19 @@ TEST(MemoryEstimate, FitsTheFactorsMeasured) {
        {Measured{7200, 532618}, Measured{80000, 10008506}, Measured{320000, 49392558}, Measured{980000, 175041570}})
     EXPECT_NEAR(factor_entries(one.unknowns) / one.entries, 1.0, 0.04) << one.unknowns;
   EXPECT_GE(factor_entries(0), 0.0);
-  EXPECT_GE(memory_estimate({}), 0.0);
+}
+
+TEST(MemoryEstimate, CountsTheCouplesOfTwoPolygonsOnce) {
+  mesh::PolygonMesh squares;
+  squares.vertices = {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 1}};
+  squares.polygons = {{.vertices = {0, 1, 4, 5}, .scaling_centre = {0.5, 0.5}},
+                      {.vertices = {1, 2, 3, 4}, .scaling_centre = {1.5, 0.5}}};
+  const mesh::NodalMesh nodes = mesh::place_nodes(squares, [](int, int) { return 1; });
+  // 6 couples in each square, the shared edge's once: 11 blocks of 4, and 6 diagonal blocks of 3.
+  EXPECT_EQ(stiffness_entries(nodes), 62);
+  const mesh::NodalMesh none;
+  EXPECT_EQ(stiffness_entries(none), 0);
+  EXPECT_GT(memory_estimate(nodes), memory_estimate(none));
 }
 
 }  // namespace
