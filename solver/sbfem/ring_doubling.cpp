@@ -9,13 +9,25 @@ namespace {
 
 using Eigen::MatrixXd;
 
-struct Ring {
-  MatrixXd A, B, C;  // K00, K11, K01; of A and B the lower triangle is kept up
+/// A stack of rings. Of A = K00 and B = K11 the lower triangle is kept up; with C = K01, W = [Cᵀ C] side by side, so
+/// that a merge is one factorisation, one triangular solve and one symmetric product.
+struct Stack {
+  MatrixXd A, B;  // (m, m)
+  MatrixXd W;     // (m, 2m)
+  MatrixXd G;     // (2m, 2m) Wᵀ S⁻¹ W of the last merge
 };
 
-Ring ring(const MatrixXd& E0, const MatrixXd& F, const MatrixXd& E2, double h) {
-  const MatrixXd stiff = E0 / h + (h / 4.0) * E2, symmetric = 0.5 * (F + F.transpose());
-  return {stiff - symmetric, stiff + symmetric, (h / 4.0) * E2 - E0 / h + 0.5 * (F.transpose() - F)};
+Stack first_ring(const MatrixXd& E0, const MatrixXd& F, const MatrixXd& E2, double h) {
+  const auto m = E0.rows();
+  Stack stack;
+  const MatrixXd e0 = E0 / h, e2 = (h / 4.0) * E2, transposed = 0.5 * F.transpose(), f = 0.5 * F;
+  stack.A = e0 + e2 - f - transposed;
+  stack.B = e0 + e2 + f + transposed;
+  stack.W.resize(m, 2 * m);
+  stack.W.leftCols(m) = e2 - e0 + f - transposed;
+  stack.W.rightCols(m) = e2 - e0 + transposed - f;
+  stack.G.resize(2 * m, 2 * m);
+  return stack;
 }
 
 /// λ_max ≈ √(largest eigenvalue of E0⁻¹ E2) by a few power steps: it chooses the shift and needs one digit.
@@ -35,15 +47,23 @@ double largest_exponent(const MatrixXd& E2, const Eigen::LLT<MatrixXd>& E0) {
 
 /// Glues the stack to itself. False where S is not positive definite. `outer_only` leaves A and C as they are: all that
 /// the last merge owes is B.
-bool merge(Ring& stack, Eigen::LLT<MatrixXd>& factor, bool outer_only) {
-  factor.compute((stack.A + stack.B).selfadjointView<Eigen::Lower>());
+bool merge(Stack& stack, Eigen::LLT<MatrixXd>& factor, bool outer_only) {
+  const auto m = stack.A.rows();
+  factor.compute(stack.A + stack.B);  // reads the lower triangle only
   if (factor.info() != Eigen::Success) return false;
-  const MatrixXd Y = factor.matrixL().solve(stack.C);
-  stack.B.selfadjointView<Eigen::Lower>().rankUpdate(Y.transpose(), -1.0);
-  if (outer_only) return true;
-  const MatrixXd X = factor.matrixL().solve(stack.C.transpose());
-  stack.A.selfadjointView<Eigen::Lower>().rankUpdate(X.transpose(), -1.0);
-  stack.C.noalias() = -X.transpose() * Y;
+  if (outer_only) {
+    auto Y = stack.W.rightCols(m);
+    factor.matrixL().solveInPlace(Y);
+    stack.B.selfadjointView<Eigen::Lower>().rankUpdate(Y.transpose(), -1.0);
+    return true;
+  }
+  factor.matrixL().solveInPlace(stack.W);
+  stack.G.setZero();
+  stack.G.selfadjointView<Eigen::Lower>().rankUpdate(stack.W.transpose());
+  stack.A.triangularView<Eigen::Lower>() -= stack.G.topLeftCorner(m, m);
+  stack.B.triangularView<Eigen::Lower>() -= stack.G.bottomRightCorner(m, m);
+  stack.W.leftCols(m) = -stack.G.bottomLeftCorner(m, m);
+  stack.W.rightCols(m) = -stack.G.bottomLeftCorner(m, m).transpose();
   return true;
 }
 
@@ -58,9 +78,9 @@ RiccatiSolution ring_doubling(const MatrixXd& E0, const MatrixXd& F, const Matri
   }
   const double largest = std::max(1.0, largest_exponent(E2, factor));
   const double nearly = ring_doubling_nearly / largest;
-  Ring stack = ring(E0, F, E2, 2.0 / std::min(std::sqrt(largest), ring_doubling_largest_shift));
+  Stack stack = first_ring(E0, F, E2, 2.0 / std::min(std::sqrt(largest), ring_doubling_largest_shift));
   while (result.positive_definite) {
-    const double coupling = stack.C.norm(), size = stack.B.diagonal().norm();
+    const double coupling = stack.W.rightCols(E0.rows()).norm(), size = stack.B.diagonal().norm();
     if (!std::isfinite(coupling) || !std::isfinite(size)) {
       result.positive_definite = false;
       break;
