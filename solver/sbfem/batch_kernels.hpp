@@ -8,9 +8,9 @@
 
 namespace sunder::sbfem::kernels {
 
-/// sums[r][c] += Σ_k X[k][r] Y[k][c], k < depth.
-template <int R, int C, class S>
-inline void accumulate(const S* X, int stride_x, const S* Y, int stride_y, int depth, S (&sums)[R][C]) {
+/// sums[r][c] += Σ_k X[k][r] Y[k][c], k < depth. X may be single numbers that are spread over the lanes of Y.
+template <int R, int C, class T, class S>
+inline void accumulate(const T* X, int stride_x, const S* Y, int stride_y, int depth, S (&sums)[R][C]) {
   for (int k = 0; k < depth; ++k, X += stride_x, Y += stride_y) {
 #pragma GCC unroll 8
     for (int r = 0; r < R; ++r) {

@@ -4,31 +4,56 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/sbfem/small_stack.hpp"
+
 namespace sunder::sbfem {
 namespace {
 
 using Eigen::MatrixXd;
 
-/// A stack of rings. Of A = K00 and B = K11 the lower triangle is kept up; with C = K01, W = [Cᵀ C] side by side, so
-/// that a merge is one factorisation, one triangular solve and one symmetric product.
-struct Stack {
-  MatrixXd A, B;  // (m, m)
-  MatrixXd W;     // (m, 2m)
-  MatrixXd G;     // (2m, 2m) Wᵀ S⁻¹ W of the last merge
-};
+/// A stack of rings on blocked matrix routines, for many unknowns. Of A and B the lower triangle is kept up; with W =
+/// [Cᵀ C] side by side a merge is one factorisation, one triangular solve and one symmetric product.
+class LargeStack {
+ public:
+  LargeStack(const MatrixXd& E0, const MatrixXd& F, const MatrixXd& E2, double h) {
+    const auto m = E0.rows();
+    const MatrixXd e0 = E0 / h, e2 = (h / 4.0) * E2, transposed = 0.5 * F.transpose(), f = 0.5 * F;
+    A_ = e0 + e2 - f - transposed;
+    B_ = e0 + e2 + f + transposed;
+    W_.resize(m, 2 * m);
+    W_ << e2 - e0 + f - transposed, e2 - e0 + transposed - f;
+    G_.resize(2 * m, 2 * m);
+  }
+  double coupling() const { return W_.rightCols(B_.rows()).norm(); }
+  double size() const { return B_.diagonal().norm(); }
+  MatrixXd stiffness() const { return B_.selfadjointView<Eigen::Lower>(); }
 
-Stack first_ring(const MatrixXd& E0, const MatrixXd& F, const MatrixXd& E2, double h) {
-  const auto m = E0.rows();
-  Stack stack;
-  const MatrixXd e0 = E0 / h, e2 = (h / 4.0) * E2, transposed = 0.5 * F.transpose(), f = 0.5 * F;
-  stack.A = e0 + e2 - f - transposed;
-  stack.B = e0 + e2 + f + transposed;
-  stack.W.resize(m, 2 * m);
-  stack.W.leftCols(m) = e2 - e0 + f - transposed;
-  stack.W.rightCols(m) = e2 - e0 + transposed - f;
-  stack.G.resize(2 * m, 2 * m);
-  return stack;
-}
+  [[nodiscard]] bool merge(bool outer_only) {
+    const auto m = A_.rows();
+    factor_.compute(A_ + B_);  // reads the lower triangle only
+    if (factor_.info() != Eigen::Success) return false;
+    if (outer_only) {
+      auto Y = W_.rightCols(m);
+      factor_.matrixL().solveInPlace(Y);
+      B_.selfadjointView<Eigen::Lower>().rankUpdate(Y.transpose(), -1.0);
+      return true;
+    }
+    factor_.matrixL().solveInPlace(W_);
+    G_.setZero();
+    G_.selfadjointView<Eigen::Lower>().rankUpdate(W_.transpose());
+    A_.triangularView<Eigen::Lower>() -= G_.topLeftCorner(m, m);
+    B_.triangularView<Eigen::Lower>() -= G_.bottomRightCorner(m, m);
+    W_.leftCols(m) = -G_.bottomLeftCorner(m, m);
+    W_.rightCols(m) = -G_.bottomLeftCorner(m, m).transpose();
+    return true;
+  }
+
+ private:
+  MatrixXd A_, B_;  // (m, m)
+  MatrixXd W_;      // (m, 2m)
+  MatrixXd G_;      // (2m, 2m) Wᵀ S⁻¹ W of the last merge
+  Eigen::LLT<MatrixXd> factor_;
+};
 
 /// λ_max ≈ √(largest eigenvalue of E0⁻¹ E2) by a few power steps: it chooses the shift and needs one digit.
 double largest_exponent(const MatrixXd& E2, const Eigen::LLT<MatrixXd>& E0) {
@@ -45,42 +70,13 @@ double largest_exponent(const MatrixXd& E2, const Eigen::LLT<MatrixXd>& E0) {
   return std::sqrt(largest);
 }
 
-/// Glues the stack to itself. False where S is not positive definite. `outer_only` leaves A and C as they are: all that
-/// the last merge owes is B.
-bool merge(Stack& stack, Eigen::LLT<MatrixXd>& factor, bool outer_only) {
-  const auto m = stack.A.rows();
-  factor.compute(stack.A + stack.B);  // reads the lower triangle only
-  if (factor.info() != Eigen::Success) return false;
-  if (outer_only) {
-    auto Y = stack.W.rightCols(m);
-    factor.matrixL().solveInPlace(Y);
-    stack.B.selfadjointView<Eigen::Lower>().rankUpdate(Y.transpose(), -1.0);
-    return true;
-  }
-  factor.matrixL().solveInPlace(stack.W);
-  stack.G.setZero();
-  stack.G.selfadjointView<Eigen::Lower>().rankUpdate(stack.W.transpose());
-  stack.A.triangularView<Eigen::Lower>() -= stack.G.topLeftCorner(m, m);
-  stack.B.triangularView<Eigen::Lower>() -= stack.G.bottomRightCorner(m, m);
-  stack.W.leftCols(m) = -stack.G.bottomLeftCorner(m, m);
-  stack.W.rightCols(m) = -stack.G.bottomLeftCorner(m, m).transpose();
-  return true;
-}
-
-}  // namespace
-
-RiccatiSolution ring_doubling(const MatrixXd& E0, const MatrixXd& F, const MatrixXd& E2) {
+/// Glues the stack to itself until the inner boundary no longer matters.
+template <class Stack>
+RiccatiSolution doubled(Stack stack, double largest) {
   RiccatiSolution result;
-  Eigen::LLT<MatrixXd> factor(E0);
-  if (factor.info() != Eigen::Success) {
-    result.positive_definite = false;
-    return result;
-  }
-  const double largest = std::max(1.0, largest_exponent(E2, factor));
   const double nearly = ring_doubling_nearly / largest;
-  Stack stack = first_ring(E0, F, E2, 2.0 / std::min(std::sqrt(largest), ring_doubling_largest_shift));
   while (result.positive_definite) {
-    const double coupling = stack.W.rightCols(E0.rows()).norm(), size = stack.B.diagonal().norm();
+    const double coupling = stack.coupling(), size = stack.size();
     if (!std::isfinite(coupling) || !std::isfinite(size)) {
       result.positive_definite = false;
       break;
@@ -88,15 +84,32 @@ RiccatiSolution ring_doubling(const MatrixXd& E0, const MatrixXd& F, const Matri
     result.converged = coupling <= ring_doubling_finished * size;
     if (result.converged || result.iterations == ring_doubling_most_merges) break;
     const bool last = coupling <= nearly * size;
-    result.positive_definite = merge(stack, factor, last);
+    result.positive_definite = stack.merge(last);
     ++result.iterations;
     if (last) {
       result.converged = result.positive_definite;
       break;
     }
   }
-  result.K = stack.B.selfadjointView<Eigen::Lower>();
+  result.K = stack.stiffness();
   return result;
+}
+
+}  // namespace
+
+RiccatiSolution ring_doubling(const MatrixXd& E0, const MatrixXd& F, const MatrixXd& E2) {
+  const Eigen::LLT<MatrixXd> factor(E0);
+  if (factor.info() != Eigen::Success) {
+    RiccatiSolution failed;
+    failed.positive_definite = false;
+    return failed;
+  }
+  const double largest = std::max(1.0, largest_exponent(E2, factor));
+  const double h = 2.0 / std::min(std::sqrt(largest), ring_doubling_largest_shift);
+  // From here on packing pays: equal times were measured at 190 unknowns, 1.6 times faster without it at 94.
+  constexpr Eigen::Index largest_small_stack = 160;
+  if (E0.rows() <= largest_small_stack) return doubled(SmallStack(E0, F, E2, h), largest);
+  return doubled(LargeStack(E0, F, E2, h), largest);
 }
 
 }  // namespace sunder::sbfem
