@@ -62,10 +62,9 @@ Ahead ahead_of(const std::vector<sbfem::EdgeElement>& edges, const TipFrame& fra
 /// [u] = upper minus lower at the mouth: K_I = (E'/8) √(2π/r) [u_y], K_II likewise with [u_x].
 Eigen::Matrix2d by_opening(const SingularField& field) {
   const Eigen::Index last = field.u.rows() - 2;
-  const double swap = numerics::planted_fault("fracture/lower-face-first") ? -1.0 : 1.0;
   const double factor = numerics::planted_fault("fracture/cod-factor-two") ? 2.0 : 1.0;
   const double scale =
-      factor * swap * modulus_of(field.material) / 8.0 * std::sqrt(2.0 * std::numbers::pi / field.frame.face_length);
+      factor * modulus_of(field.material) / 8.0 * std::sqrt(2.0 * std::numbers::pi / field.frame.face_length);
   Eigen::Matrix2d K;
   for (int j = 0; j < 2; ++j) {
     const Eigen::Vector2d jump = turned(field.frame, field.u.col(j).segment<2>(last) - field.u.col(j).head<2>());
@@ -184,6 +183,12 @@ void read_modes(CrackTip& tip, const SingularModes& modes, const sbfem::Boundary
   Eigen::MatrixX2d exact(boundary.nodes.size(), 2);
   exact << nodal_displacement({2, Mode::I}, material, boundary, frame),
       nodal_displacement({2, Mode::II}, material, boundary, frame);
+  if (numerics::planted_fault("fracture/t-stress-without-rotation-filter")) {
+    // The group read as if σ_xx were all of it: least squares on one column.
+    tip.of_displacement.row(2) = exact.col(0).transpose() / exact.col(0).squaredNorm();
+    tip.unit_exponents.setIdentity();
+    return;
+  }
   const Eigen::PartialPivLU<Eigen::Matrix2d> share(modes.unit.left.transpose() * exact);
   const Eigen::Matrix2Xd rows = share.solve(modes.unit.left.transpose());
   tip.of_displacement.row(2) = rows.row(0);
@@ -296,7 +301,8 @@ Eigen::Vector3d load_share(const CrackTip& tip, const sbfem::Coefficients& coeff
     }
   } else {
     // The boundary forces are K u_b - f, and the load itself works along the rays on ξ^-λ ψ: ∫ ξ^(k-λ) dξ = 1/(s - λ).
-    share.head<2>() = tip.dual.topRows<2>() * (f - load.density / (s - 0.5));
+    const double lambda = numerics::planted_fault("fracture/load-share-of-interior-power") ? -0.5 : 0.5;
+    share.head<2>() = tip.dual.topRows<2>() * (f - load.density / (s - lambda));
     if (load.power > 0) share[2] = tip.dual.row(2).dot(f - load.density / (s - 1.0));
   }
   if (load.power == 0) {

@@ -6,9 +6,9 @@
 /// axes of the Bernstein ellipse through it [Trefethen 2013, theorem 8.2]. K_I is twice as accurate as the field (order
 /// 2p), hence
 ///     p = 1 + ⌈ln(10 / tolerance) / (2 ln ρ)⌉,
-/// and an edge that would need more than `largest_order` is halved. 1 and 10 are a reserve for the unknown factor
-/// before ρ^-2p. Nothing is fitted to one plate: for edge cracks a/W = 0.1 … 0.7 at H/W = ½ … 3 the error of K_I is
-/// 0.02 … 1 times the tolerance from 1e-4 to 1e-8 (tests).
+/// and an edge that would need more than `largest_order` is halved; 1 and 10 are a reserve for the unknown factor
+/// before ρ^-2p. Nothing is fitted to one plate: for the 28 edge cracks a/W = 0.1 … 0.7, H/W = ½, 1, 2, 3 and
+/// tolerances from 1e-2 to 1e-8 the error of K_I came out between 0.004 and 1.0 times the tolerance.
 ///
 /// Corners with a singularity of their own (where a held side meets a free one, re-entrant corners) are approached by
 /// edges that shrink by 0.15, each with the order that its distance to the corner asks for.

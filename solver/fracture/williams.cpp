@@ -4,15 +4,26 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "solver/numerics/planted_fault.hpp"
+
 namespace sunder::fracture {
 namespace {
 
 /// Amplitude of a_n (mode I) or b_n (mode II), from what the field is normalised to.
 double amplitude(const WilliamsField& field) {
   const double sign = field.mode == Mode::I ? 1.0 : -1.0;
-  if (field.n == 1) return sign / std::sqrt(2.0 * std::numbers::pi);  // σ_yy = a / √r ahead of the tip
-  if (field.n == 2 && field.mode == Mode::I) return 0.25;             // σ_xx = 4 a
+  // σ_yy = a / √r = K_I / √(2πr) ahead of the tip
+  if (field.n == 1)
+    return sign / std::sqrt(numerics::planted_fault("fracture/factor-without-pi") ? 2.0 : 2.0 * std::numbers::pi);
+  if (field.n == 2 && field.mode == Mode::I) return 0.25;  // σ_xx = 4 a
   return 1.0;
+}
+
+double kappa_of(const material::Isotropic& material) {
+  if (numerics::planted_fault("fracture/plane-stress-kappa")) {
+    return (3.0 - material.poisson_ratio) / (1.0 + material.poisson_ratio);
+  }
+  return material::kolosov_constant(material);
 }
 
 /// (-1)ⁿ
@@ -42,14 +53,15 @@ Eigen::Matrix2Xd polar_nodes(const sbfem::Boundary& boundary, const TipFrame& fr
     polar.col(i) << local.col(i).norm(), std::atan2(local(1, i), local(0, i));
   }
   // The two ends of the boundary share a place: only their order tells the faces apart.
-  polar(1, 0) = -std::numbers::pi;
-  polar(1, local.cols() - 1) = std::numbers::pi;
+  const double lower = numerics::planted_fault("fracture/lower-face-first") ? std::numbers::pi : -std::numbers::pi;
+  polar(1, 0) = lower;
+  polar(1, local.cols() - 1) = -lower;
   return polar;
 }
 
 Eigen::Vector2d displacement(const WilliamsField& field, const material::Isotropic& material, double r, double theta) {
   if (field.n == 2 && field.mode == Mode::II) return {-r * std::sin(theta), r * std::cos(theta)};
-  const double lambda = 0.5 * field.n, kappa = material::kolosov_constant(material), even = parity(field.n);
+  const double lambda = 0.5 * field.n, kappa = kappa_of(material), even = parity(field.n);
   const double scale = amplitude(field) * std::pow(r, lambda) / (2.0 * material::shear_modulus(material));
   const double c1 = std::cos(lambda * theta), s1 = std::sin(lambda * theta);
   const double c2 = std::cos((lambda - 2.0) * theta), s2 = std::sin((lambda - 2.0) * theta);
@@ -81,7 +93,7 @@ Eigen::Vector2d displacement_slope(const WilliamsField& field, const material::I
                                    double theta) {
   // ∂/∂x = cos θ ∂/∂r - (sin θ / r) ∂/∂θ, and r ∂u/∂r = λ u.
   if (field.n == 2 && field.mode == Mode::II) return {0.0, 1.0};
-  const double lambda = 0.5 * field.n, kappa = material::kolosov_constant(material), even = parity(field.n);
+  const double lambda = 0.5 * field.n, kappa = kappa_of(material), even = parity(field.n);
   const double scale = amplitude(field) * std::pow(r, lambda - 1.0) / (2.0 * material::shear_modulus(material));
   const double c1 = std::cos(lambda * theta), s1 = std::sin(lambda * theta), l2 = lambda - 2.0;
   const double c2 = std::cos(l2 * theta), s2 = std::sin(l2 * theta);

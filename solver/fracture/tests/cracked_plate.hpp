@@ -84,6 +84,19 @@ inline Eigen::VectorXd free_displacement(const Plate& plate, const Eigen::Vector
   return held.llt().solve(load);
 }
 
+/// K u = f with u = `admissible` v; columns that are zero are left out, and the one rigid motion that stays free is
+/// held by a spring that the loads do not stretch.
+inline Eigen::VectorXd constrained_displacement(const Plate& plate, const Eigen::VectorXd& load,
+                                                const Eigen::MatrixXd& admissible, const Eigen::VectorXd& free_motion) {
+  Eigen::MatrixXd K = admissible.transpose() * plate.solution.K * admissible;
+  for (Eigen::Index k = 0; k < K.rows(); ++k) {
+    if (admissible.col(k).isZero(0.0)) K(k, k) = plate.material.youngs_modulus;
+  }
+  const Eigen::VectorXd spring = (admissible.transpose() * free_motion).normalized();
+  K += plate.material.youngs_modulus * spring * spring.transpose();
+  return admissible * K.llt().solve(admissible.transpose() * load);
+}
+
 /// K u = f with the nodes where `fixed` is true held at 0.
 template <typename Fixed>
 Eigen::VectorXd clamped_displacement(const Plate& plate, const Eigen::VectorXd& load, const Fixed& fixed) {
