@@ -131,9 +131,9 @@ def kills(cases):
     for row in rows.values():
         row["killed"] = all(v == "killed" for v in row["verdicts"])
         row["verdict"] = next((v for v in row["verdicts"] if v != "killed"), "killed")
-    checks = {(case.id, c.name) for case in cases for c in case.checks if c.gates}
+    checks = {(case.id, c.name) for case in cases for c in gating([case])}
     noticed = sum(r["killed"] for r in rows.values())
-    sentence = (f"Each fault is one wrong sign, factor or dropped term, built only into a test program. {noticed} of "
-                f"{words.count(len(rows), 'planted fault')} turn the checks red that must notice them; "
-                f"{len(killing & checks)} of {len(checks)} gating checks notice at least one.")
+    sentence = (f"Each fault is one wrong sign, factor or dropped term, built only into a test program; the checks that its cases name "
+                f"must turn red. Noticed: {noticed} of {words.count(len(rows), 'fault')}. Of {len(checks)} gating checks "
+                f"{len(killing & checks)} notice at least one.")
     return {"rows": sorted(rows.values(), key=lambda r: r["fault"]), "words": sentence}

@@ -100,6 +100,11 @@ def _durations(axis):
     axis.set_minor_locator(NullLocator())
 
 
+def _pen(i):
+    """Colour and marker of curve i; the pairs repeat after 64."""
+    return {"color": SERIES[i % len(SERIES)], "marker": MARKERS[(i + i // len(SERIES)) % len(MARKERS)]}
+
+
 def _axes(x, y, size=SIZE):
     figure, axes = plt.subplots(figsize=size, layout="constrained")
     axes.set_xlabel(x)
@@ -128,8 +133,7 @@ def error_against_time(key, points, failed, quantity, floor=1e-16):
                   solid_capstyle="round", label="front", zorder=1)
         for i, name in enumerate(names):
             line = sorted((p for p in shown if p.series == name), key=lambda p: p.seconds)
-            axes.plot([p.seconds for p in line], [p.error for p in line], color=SERIES[i % len(SERIES)],
-                      marker=MARKERS[i % len(MARKERS)], label=name or "settings", zorder=3)
+            axes.plot([p.seconds for p in line], [p.error for p in line], **_pen(i), label=name or "settings", zorder=3)
         for p in shown:
             if p.standard:
                 axes.plot(p.seconds, p.error, "o", markersize=10, markerfacecolor="none", markeredgecolor=INK, markeredgewidth=1.1,
@@ -196,8 +200,7 @@ def convergence(key, series, quantity, size_label):
             sizes, errors = [h for h, _ in line], [max(e, 1e-17) for _, e in line]
             slope = math.log(errors[1] / errors[0]) / math.log(sizes[1] / sizes[0])
             label = f"{name}: " if name else ""
-            axes.plot(sizes, errors, color=SERIES[i % len(SERIES)], marker=MARKERS[i % len(MARKERS)],
-                      label=f"{label}slope {words.number(slope, 3)} at the fine end")
+            axes.plot(sizes, errors, **_pen(i), label=f"{label}slope {words.number(slope, 3)} at the fine end")
         sizes = sorted({h for line in series.values() for h, _ in line})
         step = max(1, math.ceil(len(sizes) / 6))
         axes.set_xticks(sizes[::step], [words.number(h, 2) for h in sizes[::step]])
@@ -208,18 +211,17 @@ def convergence(key, series, quantity, size_label):
         return Figure(key, _element(figure, key, caption), caption)
 
 
-def cost(key, series, x_label, caption):
-    """CPU time over size, log-log; `series`: name -> [(size, seconds)]."""
+def cost(key, series, x_label, y_label, caption):
+    """Time over size, log-log; `series`: name -> [(size, seconds)]."""
     if not series or not all(series.values()):
         raise FigureError(f"{key}: no measurement")
     with plt.rc_context(STYLE):
-        figure, axes = _axes(x_label, "CPU time", (SIZE[0], SIZE[1] + 0.1))
+        figure, axes = _axes(x_label, y_label, (SIZE[0], SIZE[1] + 0.1))
         axes.set_xscale("log")
         axes.set_yscale("log")
         sizes = sorted({x for line in series.values() for x, _ in line})
         for i, (name, line) in enumerate(series.items()):
-            axes.plot([x for x, _ in sorted(line)], [y for _, y in sorted(line)], color=SERIES[i % len(SERIES)],
-                      marker=MARKERS[i % len(MARKERS)], label=name)
+            axes.plot([x for x, _ in sorted(line)], [y for _, y in sorted(line)], **_pen(i), label=name)
         axes.set_xticks(sizes, [f"{x:g}" for x in sizes])
         axes.xaxis.set_minor_locator(NullLocator())
         _durations(axes.yaxis)

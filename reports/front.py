@@ -4,7 +4,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-LEVELS = ((1e-2, "1 %"), (1e-3, "0.1 %"), (1e-6, "1e-6"))
+LEVELS = ((1e-2, "1 %"), (1e-3, "0.1 %"), (1e-6, "10⁻⁶"))
 
 # A default that needs more than this many times the best setting's time for its error is explained in its case.
 ACCEPTED_FACTOR = 1.5

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 import tomllib
 from dataclasses import dataclass, field, replace
 
@@ -214,6 +215,11 @@ def _kind(value):
     return "null" if value is None else _WORDS.get(type(value), type(value).__name__)
 
 
+def _message(o):
+    """A message without the folders of the machine on which it was written."""
+    return re.sub(r"(?:/[^\s/:]+)+/", "", o.optional("message", str) or "")
+
+
 def _reference(o):
     return Reference(o.take("name", str), o.take("class", str, CLASSES), o.take("unit", str), o.take("source", str),
                      o.take("locator", str), o.take("uncertainty", float), o.take("uncertainty_is_relative", bool))
@@ -228,13 +234,13 @@ def _order(o):
 def _check(o):
     return Check(o.take("name", str), o.take("kind", str, KINDS), o.take("gates", bool), o.take("status", str, STATUSES),
                  o.take("evidence", str), o.take("basis", str), "", "", o.take("value", float), o.take("reference", float),
-                 o.take("error", float), o.take("tolerance", float), o.take("compared", int), o.optional("message", str) or "",
+                 o.take("error", float), o.take("tolerance", float), o.take("compared", int), _message(o),
                  tuple(_order(e) for e in o.objects("orders")) if "orders" in o.value else ())
 
 
 def _setting(o):
     return Setting(tuple((k, str(v)) for k, v in o.pairs("keys")), o.take("default", bool), o.take("status", str, STATUSES),
-                   o.optional("message", str) or "", {k: math.nan if e is None else float(e) for k, e in o.pairs("errors")},
+                   _message(o), {k: math.nan if e is None else float(e) for k, e in o.pairs("errors")},
                    o.take("cpu_seconds", float), o.take("cpu_spread", float), o.take("repeats", int), o.take("dofs", int),
                    o.take("peak_bytes", int))
 
@@ -250,7 +256,7 @@ def _case(o):
     rung = o.optional("first_failing_rung", int)
     identity = o.take("id", str)
     case = Case(identity, o.take("version", int), o.take("title", str) or identity, o.take("requirement", str), "",
-                o.take("family", str), o.take("tier", str), (), o.take("status", str, STATUSES), o.take("message", str),
+                o.take("family", str), o.take("tier", str), (), o.take("status", str, STATUSES), _message(o),
                 tuple(map(_reference, o.objects("references"))), tuple(map(_check, o.objects("checks"))), settings,
                 tuple(map(_negative, o.objects("negatives"))), Sweep(sweep.take("error", str), sweep.texts("series")),
                 None if rung is None else Ladder(rung), o.take("cpu_seconds", float), o.take("peak_bytes", int))

@@ -8,7 +8,7 @@ from reports import figures, words
 from reports.front import ACCEPTED_FACTOR, LEVELS, Point, default_factor, dominance_front, time_to
 
 
-# A rung that ends like this was declined in words that the case accepts, or its case fails.
+# A rung that ends like this was declined: right, where the case accepts the words.
 DECLINED = ("refused", "not converged")
 
 
@@ -16,18 +16,21 @@ class LayoutError(ValueError):
     """The layout names a case, a check or a benchmark that the records do not hold."""
 
 
-def _series(case, setting):
-    keys = [(k, v) for k, v in setting.keys if k in case.sweep.series]
-    return words.setting(keys)
+def _series(case):
+    """The name of each setting's curve: the values of the keys that tell curves apart. Curves of a single point are joined
+    with those that share their first key, since a line says more than its points in eight colours."""
+    names = [words.setting((k, v) for k, v in s.keys if k in case.sweep.series) for s in case.settings]
+    first = [words.setting((k, v) for k, v in s.keys if k in case.sweep.series[:1]) for s in case.settings]
+    return [joint if names.count(name) == 1 else name for name, joint in zip(names, first)]
 
 
 def points_of(case):
     """(points with an error and a time, CPU times of the settings that gave no answer)."""
     points, failed = [], []
-    for s in case.settings:
+    for s, series in zip(case.settings, _series(case)):
         error = s.errors.get(case.sweep.error, math.nan)
         if s.status == "pass" and not math.isnan(error) and s.cpu_seconds > 0:
-            points.append(Point(s.cpu_seconds, error, _series(case, s), words.setting(s.keys), s.standard))
+            points.append(Point(s.cpu_seconds, error, series, words.setting(s.keys), s.standard))
         elif s.cpu_seconds > 0:
             failed.append(s.cpu_seconds)
     return points, failed
@@ -76,16 +79,8 @@ def convergence(case):
     series = {name: line for name, line in series.items() if len({h for h, _ in line}) > 1}
     if not series:
         return None
-    over = check.over.rsplit(".", 1)[-1].replace("_", " ")
+    over = words.key(check.over)
     return figures.convergence(f"order-{case.anchor}", series, case.sweep.error, f"1 / {over}" if check.over_counts else over)
-
-
-def _rung(setting, key):
-    value = dict(setting.keys).get(key, "")
-    try:
-        return words.number(float(value))
-    except ValueError:
-        return value.strip('"')
 
 
 def ladder(case):
@@ -93,12 +88,14 @@ def ladder(case):
     name = case.sweep.error or next(iter(next((s.errors for s in case.settings if s.errors), {"": 0})))
     check = next((c for c in case.checks if c.name == name), None)
     tolerance = check.tolerance if check else 0.0
-    rungs = [(_rung(s, key), s.errors.get(name) if s.status in ("pass", "wrong value") else None) for s in case.settings]
+    rungs = [(words.written(dict(s.keys)[key]), s.errors.get(name) if s.status in ("pass", "wrong value") else None) for s in case.settings]
     failing = case.ladder.first_failing
     status = case.settings[failing].status if failing < len(rungs) else "pass"
-    wrong = failing < len(rungs) and status not in DECLINED
+    # Declined in words that the case does not accept is as bad as a wrong answer; the ladder's own check says so.
+    declined = status in DECLINED and not any(c.kind == "ladder" and c.status in DECLINED for c in case.checks)
+    wrong = failing < len(rungs) and not declined
     climbed = [e for _, e in rungs[:failing] if e is not None and e > 0]
-    axis = key.rsplit(".", 1)[-1].replace("_", " ")
+    axis = words.key(key)
     return {
         "case": case, "case_fails": case.status != "pass", "key": axis, "count": len(rungs), "first": rungs[0][0], "last": rungs[-1][0],
         "failing": f"{rungs[failing][0]}: {'wrong value' if status == 'pass' else status}" if failing < len(rungs) else "",
@@ -114,19 +111,20 @@ def ladders(cases):
 
 
 def benchmark_figures(layout, benchmarks):
-    """One figure a [[benchmark_figure]] of the layout: `pattern` has the groups `size` and `series`."""
+    """One figure a [[benchmark_figure]] of the layout: `pattern` has the groups `size` and `series`; `time = "wall"` shows wall
+    time where threads share the work."""
     found = []
     for i, wanted in enumerate(layout.get("benchmark_figure", [])):
-        series = {}
+        series, wall = {}, wanted.get("time") == "wall"
         for b in benchmarks:
             match = re.fullmatch(wanted["pattern"], b.name)
             if match:
                 groups = match.groupdict()
                 name = (groups.get("series") or wanted.get("series", "")).replace("_", " ")
-                series.setdefault(name, []).append((float(groups["size"]), b.cpu_seconds))
+                series.setdefault(name, []).append((float(groups["size"]), b.wall_seconds if wall else b.cpu_seconds))
         if not series:
             raise LayoutError(f"layout: benchmark_figure {wanted['title']!r}: no benchmark fits {wanted['pattern']!r}")
-        found.append({"title": wanted["title"], "figure": figures.cost(f"cost-{i}", series, wanted["x"], wanted["caption"])})
+        found.append({"title": wanted["title"], "figure": figures.cost(f"cost-{i}", series, wanted["x"], "wall time" if wall else "CPU time", wanted["caption"])})
     return found
 
 

@@ -1,5 +1,6 @@
 """Numbers and settings in words for people, the same in figures, tables and sentences."""
 import math
+import re
 
 _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
@@ -56,7 +57,27 @@ def size(value):
     return f"{value} B"
 
 
-def setting(keys, without=()):
-    """The keys of a setting by their last word: `order = 4, size = 0.125`."""
-    shown = [f"{key.rsplit('.', 1)[-1].replace('_', ' ')} {value.strip(chr(34))}" for key, value in keys if key not in without]
-    return ", ".join(shown)
+def written(value):
+    """A value as it stands in a case, in the fewest digits that are still the same number: 0.4999, 10⁻⁸, squares."""
+    try:
+        number_ = float(value)
+    except ValueError:
+        return value.strip('"')
+    mantissa, _, exponent = repr(number_).partition("e")
+    if not exponent and abs(number_) >= 1e5 and re.fullmatch(r"-?\d0+\.0", mantissa):
+        mantissa, exponent = mantissa.rstrip("0.") or "0", len(mantissa.lstrip("-")) - 3
+    if not exponent:
+        return mantissa.removesuffix(".0").replace("-", "−")
+    mantissa = mantissa.removesuffix(".0").replace("-", "−")
+    power = power_of_ten(int(exponent))
+    return power if mantissa == "1" else f"{mantissa}·{power}"
+
+
+def key(dotted):
+    """The last word of a scene key: `order` of mesh.order."""
+    return dotted.rsplit(".", 1)[-1].replace("_", " ")
+
+
+def setting(keys):
+    """A setting in words: `order 4, size 0.125`."""
+    return ", ".join(f"{key(name)} {written(value)}" for name, value in keys)

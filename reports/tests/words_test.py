@@ -18,6 +18,12 @@ class Words(unittest.TestCase):
         for value, text in table:
             self.assertEqual(words.seconds(value), text, value)
 
+    def test_values_as_written_keep_every_digit(self):
+        table = [("0.49999999000000001", "0.49999999"), ("0.5", "0.5"), ("4", "4"), ("1e8", "10⁸"), ("1e-08", "10⁻⁸"), ("1e+22", "10²²"),
+                 ("-2.5e-09", "−2.5·10⁻⁹"), ('"squares"', "squares"), ("[1, 2]", "[1, 2]")]
+        for value, text in table:
+            self.assertEqual(words.written(value), text, value)
+
     def test_settings_by_the_last_word_of_their_keys(self):
         self.assertEqual(words.setting([("mesh.cells", '"one"'), ("mesh.tip_order", "4")]), "cells one, tip order 4")
 
