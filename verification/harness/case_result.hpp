@@ -46,9 +46,10 @@ struct CheckOutcome {
   double reference = 0.0;
   double error = 0.0;
   double tolerance = 0.0;
-  double slack = 0.0;  ///< tolerance / error; > 20 is loose, < 1.2 tight; 0 where the error is 0
-  int compared = 0;    ///< numbers that were compared
-  int setting = -1;    ///< of the worst comparison
+  double slack = 0.0;    ///< tolerance / error; > 20 is loose, < 1.2 tight; 0 where the error is 0
+  int compared = 0;      ///< numbers that were compared
+  int setting = -1;      ///< of the worst comparison
+  int first_wrong = -1;  ///< the first setting that is not right
   std::string message = {};
   std::vector<OrderEstimate> orders = {};  ///< one a series
 };

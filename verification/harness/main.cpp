@@ -5,12 +5,14 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <sstream>
 
 #include <CLI/CLI.hpp>
 
 #include "verification/harness/case.hpp"
 #include "verification/harness/catalogue.hpp"
+#include "verification/harness/fault_names.hpp"
 #include "verification/harness/faults.hpp"
 #include "verification/harness/isolation.hpp"
 #include "verification/harness/junit.hpp"
@@ -154,6 +156,27 @@ int list(const Arguments& arguments, const CaseFolders& folders) {
   return selection.unreadable.empty() ? all_right : unusable_input;
 }
 
+/// Which cases name each fault of the solver; fails where one has none, or a case names one that is not there.
+int faults(const CaseFolders& folders, const fs::path& solver) {
+  std::map<std::string, std::string> named;
+  const Selection selection = select_cases({}, folders);
+  for (const Case& entry : selection.cases)
+    for (const Negative& negative : entry.negatives) named[negative.fault] += " " + entry.id;
+  int status = selection.unreadable.empty() ? all_right : unusable_input;
+  for (const CaseResult& result : selection.unreadable) std::cerr << result.message << "\n";
+  for (const std::string& fault : fault_names(solver)) {
+    const auto found = named.find(fault);
+    std::cout << fault << ":" << (found == named.end() ? " NO CASE" : found->second) << "\n";
+    if (found == named.end()) status = std::max(status, something_failed);
+    if (found != named.end()) named.erase(found);
+  }
+  for (const auto& [fault, cases] : named) {
+    std::cout << fault << ": NOT IN THE SOLVER, named by" << cases << "\n";
+    status = std::max(status, something_failed);
+  }
+  return status;
+}
+
 std::string text_of(const fs::path& file) {
   std::ifstream stream(file);
   std::stringstream text;
@@ -213,6 +236,7 @@ int main(int argc, char** argv) {
   CLI::App* negatives_command =
       app.add_subcommand("negatives", "Plant the faults that the cases name; their checks must fail");
   runs(negatives_command);
+  CLI::App* faults_command = app.add_subcommand("faults", "Which cases name each fault that the solver can plant");
   CLI::App* catalogue_command =
       app.add_subcommand("catalogue", "Check verification/README.md against the cases, or write it");
   catalogue_command->add_flag("--write", arguments.write, "Write it");
@@ -227,6 +251,7 @@ int main(int argc, char** argv) {
     const fs::path root = project_root(arguments.root);
     const CaseFolders folders{root / "verification" / "cases", root / "reference-data"};
     if (*list_command) return list(arguments, folders);
+    if (*faults_command) return faults(folders, root / "solver");
     if (*catalogue_command) return catalogue(arguments, folders, root / "verification" / "README.md");
     if (*negatives_command && !fault_control())
       throw std::runtime_error("this program holds no faults; sunder-verify-faulted does");

@@ -74,7 +74,10 @@ void keep_worst(CheckOutcome& outcome, const Comparison& comparison, double tole
   const bool first = outcome.compared == 0;
   outcome.compared += comparison.compared;
   if (first) outcome.status = Status::pass;
-  if (!(comparison.error <= tolerance)) outcome.status = if_wrong;
+  if (!(comparison.error <= tolerance)) {
+    outcome.status = if_wrong;
+    if (outcome.first_wrong < 0) outcome.first_wrong = static_cast<int>(setting);
+  }
   if (!first && !(share(comparison.error, tolerance) > share(outcome.error, outcome.tolerance))) return;
   outcome.error = comparison.error;
   outcome.value = comparison.value;
@@ -359,7 +362,7 @@ CheckOutcome judge_ladder(const Case& verification_case, const std::vector<Setti
   for (std::size_t i = runs.size(); i-- > 0;)
     if (runs[i].row.status != Status::pass) first_failing_rung = static_cast<int>(i);
   for (const CheckOutcome& check : checks)  // a wrong answer is a failing rung too
-    if (fails(check.status) && check.setting >= 0) first_failing_rung = std::min(first_failing_rung, check.setting);
+    if (check.first_wrong >= 0) first_failing_rung = std::min(first_failing_rung, check.first_wrong);
   outcome.value = first_failing_rung;
   for (std::size_t i = 0; i < runs.size(); ++i)
     if (runs[i].row.status != Status::pass && !refused_by_name(verification_case, runs[i].row)) {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "verification/harness/fault_names.hpp"
 #include "verification/harness/isolation.hpp"
 #include "verification/harness/runner.hpp"
 #include "verification/harness/tests/temporary_case.hpp"
@@ -87,6 +88,16 @@ TEST(Negatives, NeedABaseline) {
   const CaseResult result = run(std::string(wrong).replace(at, 11, "value = 7.0"), false);
   EXPECT_EQ(result.negatives[0].verdict, NegativeOutcome::Verdict::no_baseline);
   EXPECT_TRUE(fails(result.status));
+}
+
+TEST(FaultNames, ComeFromTheSources) {
+  const TemporaryCases folder;
+  folder.write(
+      "solver/a/one.cpp",
+      "if (planted_fault(\"a/one\")) x = numerics::planted_fault(\"a/two\") ? 1 : 2; planted_fault(\"a/one\");");
+  folder.write("solver/b/three.cpp", "planted_fault(name)");
+  folder.write("solver/b/three.hpp", "planted_fault(\"b/in-a-header\")");
+  EXPECT_EQ(fault_names(folder.folders().cases.parent_path() / "solver"), (std::vector<std::string>{"a/one", "a/two"}));
 }
 
 }  // namespace

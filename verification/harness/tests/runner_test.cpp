@@ -244,7 +244,8 @@ TEST(Ladder, StopsWithANamedReason) {
 
 TEST(Ladder, IsBrokenBySilentErrorsAndUnnamedRefusals) {
   const RunnerOptions options{.pins = {{"first_failing_rung", {0}}}};
-  const CaseResult silently_wrong = run(ladder, answering_of_h([](double h) { return h < 0.2 ? 3.0 : 2.0; }), options);
+  const CaseResult silently_wrong =
+      run(ladder, answering_of_h([](double h) { return h < 0.2 ? 2.0 + 1.0 / h : 2.0; }), options);
   EXPECT_EQ(silently_wrong.status, Status::wrong_value);
   EXPECT_EQ(silently_wrong.first_failing_rung, 3);
   const CaseResult unnamed = run(ladder, answering_of_h([](double h) {
