@@ -180,9 +180,10 @@ void PressureSolver::lay_block(int first, int last, double c, double share, Comp
   PressureProfile& out = profile_;
   table_.losses(c, first, last, loss_, to_first_, to_last_);
   const bool inclined = table_.inclined(), flat = table_.flat();
-  std::array<int, block_size> turning{};
+  std::array<int, block_size> turning;
   int turning_count = 0;
-  for (int i = first; i < last; ++i) {
+  const int looked_at = inclined || table_.may_turn_within(first, last, c) ? last : first;
+  for (int i = first; i < looked_at; ++i) {
     const std::size_t k = static_cast<std::size_t>(i);
     if (!table_.may_turn(i, c)) {
       if (!inclined) continue;
@@ -204,33 +205,48 @@ void PressureSolver::lay_block(int first, int last, double c, double share, Comp
   along[0] = pressure.value();
   block_prefix(
       0, last - first, [&](int i) { return -loss_[static_cast<std::size_t>(first + i)]; }, along.data(), pressure);
-  double magnitude = magnitude_, lowest = lowest_pressure_, highest = out.peak_pressure, carried = 0.0;
-  for (int i = first; i < last; ++i) {
-    const std::size_t k = static_cast<std::size_t>(i);
-    const double p = along[static_cast<std::size_t>(i - first)];
-    if (!flat) {
-      const double half = 0.5 * p * table_.length(i);
-      out.nodal_force[k] += share * (half - to_first_[k] + carried);
-      carried = half - to_last_[k];
-    }
-    out.pressure[k] += share * p;
-    magnitude += std::abs(loss_[k]);
-    lowest = std::min(lowest, p);
-    highest = std::max(highest, p);
+  const int count = last - first;
+  const double* p = along.data();
+  const double* h = table_.lengths().data() + first;
+  const double *loss = loss_.data() + first, *to_first = to_first_.data() + first, *to_last = to_last_.data() + first;
+  double *pressures = out.pressure.data() + first, *forces = out.nodal_force.data() + first;
+  Lanes magnitudes = broadcast(0.0), lowest_lanes = broadcast(p[count]), highest_lanes = lowest_lanes;
+  double magnitude = 0.0, lowest = p[count], highest = p[count];
+  const auto one = [&](int i) {
+    pressures[i] += share * p[i];
+    magnitude += std::abs(loss[i]);
+    lowest = std::min(lowest, p[i]);
+    highest = std::max(highest, p[i]);
+    if (flat) return;
+    const double before = i > 0 ? 0.5 * p[i - 1] * h[i - 1] - to_last[i - 1] : 0.0;
+    forces[i] += share * (0.5 * p[i] * h[i] - to_first[i] + before);
+  };
+  one(0);
+  int i = 1;
+  for (; i + lane_count <= count; i += lane_count) {
+    const Lanes here = load(p + i);
+    store(pressures + i, load(pressures + i) + share * here);
+    magnitudes += sunder::crackwater::magnitude(load(loss + i));
+    lowest_lanes = here < lowest_lanes ? here : lowest_lanes;
+    highest_lanes = here > highest_lanes ? here : highest_lanes;
+    if (flat) continue;
+    const Lanes before = 0.5 * load(p + i - 1) * load(h + i - 1) - load(to_last + i - 1);
+    store(forces + i, load(forces + i) + share * (0.5 * here * load(h + i) - load(to_first + i) + before));
   }
-  if (!flat) out.nodal_force[static_cast<std::size_t>(last)] += share * carried;
-  const double p = along[static_cast<std::size_t>(last - first)];
-  magnitude_ = magnitude;
-  lowest_pressure_ = std::min(lowest, p);
-  highest = std::max(highest, p);
+  for (; i < count; ++i) one(i);
+  if (!flat) forces[count] += share * (0.5 * p[count - 1] * h[count - 1] - to_last[count - 1]);
+  magnitude_ += magnitude + sum(magnitudes);
+  lowest_pressure_ =
+      std::min({lowest_pressure_, lowest, lowest_lanes[0], lowest_lanes[1], lowest_lanes[2], lowest_lanes[3]});
+  highest = std::max({highest, highest_lanes[0], highest_lanes[1], highest_lanes[2], highest_lanes[3]});
   if (highest > out.peak_pressure) {
     out.peak_pressure = highest;
-    const auto at = std::find(along.begin(), along.begin() + (last - first) + 1, highest) - along.begin();
+    const auto at = std::find(p, p + count + 1, highest) - p;
     out.peak_position = table_.position(first + static_cast<int>(at));
   }
   for (int k = 0; k < turning_count; ++k) {
-    const int i = turning[static_cast<std::size_t>(k)];
-    note_extremes(i, -1.0, 1.0, c, along[static_cast<std::size_t>(i - first)]);
+    const int at = turning[static_cast<std::size_t>(k)];
+    note_extremes(at, -1.0, 1.0, c, p[at - first]);
   }
 }
 

@@ -23,6 +23,15 @@ bool SegmentTable::may_turn(int i, double c) const {
   return std::abs(c - middle_[static_cast<std::size_t>(i)]) < spread_[static_cast<std::size_t>(i)] || is_split(i, c);
 }
 
+bool SegmentTable::may_turn_within(int first, int last, double c) const {
+  for (int block = first / block_size; block * block_size < last; ++block) {
+    const double low = c - block_high_[static_cast<std::size_t>(block)];
+    const double high = c - block_low_[static_cast<std::size_t>(block)];
+    if (!(low > law_.critical_flux || high < -law_.critical_flux)) return true;
+  }
+  return false;
+}
+
 double SegmentTable::single_loss(int i, double c) const {
   const std::size_t k = static_cast<std::size_t>(i);
   const double d = c - middle_[k];

@@ -86,6 +86,7 @@ class SegmentTable {
   double tip_change() const { return steps_ ? tip_step_ : change_[static_cast<std::size_t>(count_)]; }
   double middle_change(int i) const { return middle_[static_cast<std::size_t>(i)]; }
   double position(int node) const { return position_[static_cast<std::size_t>(node)]; }  ///< s [m]
+  std::span<const double> lengths() const { return length_; }
   std::span<const double> positions() const { return position_; }
   double weight(int node) const { return weight_[static_cast<std::size_t>(node)]; }  ///< ρ g (z - z_mouth) [Pa]
   bool inclined() const { return inclined_; }
@@ -121,6 +122,9 @@ class SegmentTable {
   bool is_split(int i, double c) const;
   /// True where, besides, the flux may turn inside segment i.
   bool may_turn(int i, double c) const;
+
+  /// False where the flux turns or changes regime in no segment of [first, last).
+  bool may_turn_within(int first, int last, double c) const;
 
   /// Friction loss of every segment in [first, last) with the parts of it that the nodal forces need:
   /// ∫ N_a p ds = p_a h/2 - to_first, ∫ N_b p ds = p_a h/2 - to_last. Wrong for segments that `is_split`: those are the
