@@ -108,6 +108,7 @@ const MarchState& FillingMarch::step(std::span<const double> apertures, const Mo
     changes_[node] = change.value();
   }
   if (!solver_.table_for_march().fill_steps(apertures, changes_)) return state_;
+  if (state_.steps > 0) solver_.suggest(upstream_flux_);
   const PressureProfile& profile = solver_.solve_filled(mouths);
   state_.status = profile.status;
   if (profile.status == ProfileStatus::unusable_input) return state_;

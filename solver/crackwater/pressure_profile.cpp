@@ -113,6 +113,7 @@ const PressureProfile& PressureSolver::solve_filled(const MouthPressures& mouths
       solve_general();
     }
   }
+  guess_ = nan;
   finish();
   return profile_;
 }
@@ -141,7 +142,7 @@ Residual PressureSolver::through_residual(double c, bool wants_slope) {
 /// Where V = c, for a V that never falls from 0 < c < V(L) on; with the midpoint rule the node where V passes c.
 Location PressureSolver::crossing_of(double c) const {
   int low = 0, high = table_.count() - 1;
-  const bool flat = table_.quadrature() == Quadrature::midpoint;
+  const bool flat = table_.flat();
   while (low < high) {
     const int middle = (low + high) / 2;
     if ((flat ? table_.middle_change(middle) : table_.change(middle + 1)) >= c) {
@@ -159,7 +160,7 @@ Location PressureSolver::crossing_of(double c) const {
 /// For a crack that never closes: p at its one minimum, or p(L) - p_down where that is lower.
 Residual PressureSolver::front_residual(double c, bool wants_slope) {
   const int n = table_.count();
-  const bool flat = table_.quadrature() == Quadrature::midpoint;
+  const bool flat = table_.flat();
   const double furthest = flat ? table_.middle_change(n - 1) : table_.change(n);
   if (c >= furthest || c <= (flat ? table_.middle_change(0) : 0.0)) return through_residual(c, wants_slope);
   ++profile_.residual_evaluations;
@@ -216,6 +217,7 @@ PressureSolver::Region PressureSolver::find(numerics::RootFunction residual, dou
   numerics::RootOptions options;
   options.method = method_of(options_.search);
   options.max_evaluations = options_.max_evaluations;
+  options.guess = guess_;
   const bool to_round_off = options_.relative_tolerance == 0.0;
   if (!to_round_off) options.relative_tolerance = options_.relative_tolerance;
   Region region;

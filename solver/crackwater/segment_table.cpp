@@ -181,16 +181,17 @@ bool SegmentTable::fill_steps(std::span<const double> apertures, std::span<const
   std::fill(spread_.begin(), spread_.end(), 0.0);
   for (auto* values : {&a1_, &a2_}) std::fill(values->begin(), values->end(), 0.0);
   for (int block = 0; block < count_; block += block_size) fill_block(block, std::min(block + block_size, count_));
-  double check_sum = 0.0;
+  double check_sum = 0.0, before = changes[0];
   least_change_ = greatest_change_ = changes[0];
+  least_rate_ = greatest_rate_ = 0.0;  // of their signs only: whether V ever falls or grows behind the mouth's node
   for (const double change : changes) {
     check_sum += 0.0 * change;
     least_change_ = std::min(least_change_, change);
     greatest_change_ = std::max(greatest_change_, change);
+    least_rate_ = std::min(least_rate_, change - before);
+    greatest_rate_ = std::max(greatest_rate_, change - before);
+    before = change;
   }
-  // a march takes the general path: neither sign is promised
-  least_rate_ = -1.0;
-  greatest_rate_ = 1.0;
   return check_sum == 0.0;
 }
 
