@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
-#include "solver/crackwater/check.hpp"
 #include "solver/crackwater/lanes.hpp"
 
 namespace sunder::crackwater {
@@ -24,11 +22,7 @@ FillingMarch::FillingMarch(const CrackLine& line, const Water& water, std::span<
                            const MarchOptions& options)
     : solver_(line, water, {.search = options.search}) {
   const std::size_t nodes = line.lengths.size() + 1;
-  if (apertures.size() != nodes) {
-    refuse("number of apertures", static_cast<double>(apertures.size()), "the number of segments + 1");
-  }
-  for (std::size_t node = 0; node < nodes; ++node)
-    require_positive("apertures[" + std::to_string(node) + "]", apertures[node]);
+  check(line, apertures, std::vector<double>(nodes, 0.0));
   for (auto* values : {&state_.voids, &state_.capacities, &next_capacities_, &changes_, &rates_})
     values->assign(nodes, 0.0);
   flux_.assign(nodes - 1, 0.0);

@@ -31,34 +31,29 @@ Loss SegmentTable::prefix_loss(double c, int first, int last) const {
   const int begin = (first + block_size - 1) / block_size, end = last / block_size;
   if (begin >= end) return loss(c, first, last, true);
   Loss total;
-  const auto add = [&](const Loss& part) {
-    total.value += part.value;
-    total.slope += part.slope;
-    total.magnitude += part.magnitude;
-  };
   const auto turbulent = [&](int from, int to, double sign) {
     if (from >= to) return;
     const std::size_t k = static_cast<std::size_t>(from), l = static_cast<std::size_t>(to);
     const double c0 = sum0_[l] - sum0_[k], c1 = sum1_[l] - sum1_[k], c2 = sum2_[l] - sum2_[k];
     const double squares = (c0 * c - c1) * c - (c1 * c - c2);
     const double value_sign = numerics::planted_fault("crackwater/unsigned-flux") ? 1.0 : sign;
-    add({value_sign * law_.turbulent * squares, 2.0 * law_.turbulent * std::abs(c0 * c - c1),
-         std::abs(law_.turbulent * squares)});
+    total.add({value_sign * law_.turbulent * squares, 2.0 * law_.turbulent * std::abs(c0 * c - c1),
+               std::abs(law_.turbulent * squares)});
   };
   const auto laminar = [&](int from, int to) {
     if (from >= to) return;
     const std::size_t k = static_cast<std::size_t>(from), l = static_cast<std::size_t>(to);
     const double c0 = sum0_[l] - sum0_[k], value = law_.laminar * (c0 * c - (sum1_[l] - sum1_[k]));
-    add({value, law_.laminar * c0, std::abs(value)});
+    total.add({value, law_.laminar * c0, std::abs(value)});
   };
   const double critical = law_.critical_flux;
   const auto low = [&](int b) { return c - block_high_[static_cast<std::size_t>(b)]; };  // least flux in a block
   const auto high = [&](int b) { return c - block_low_[static_cast<std::size_t>(b)]; };
   const auto sweep = [&](int from, int to) {
-    if (from < to) add(loss(c, from * block_size, to * block_size, true));
+    if (from < to) total.add(loss(c, from * block_size, to * block_size, true));
   };
 
-  if (first < begin * block_size) add(loss(c, first, begin * block_size, true));
+  if (first < begin * block_size) total.add(loss(c, first, begin * block_size, true));
   if (never_closing() || never_opening()) {
     // forwards turbulent, changing, laminar, changing, backwards turbulent; or the other way round
     const bool falling = never_closing();
@@ -89,7 +84,7 @@ Loss SegmentTable::prefix_loss(double c, int first, int last) const {
       }
     }
   }
-  if (end * block_size < last) add(loss(c, end * block_size, last, true));
+  if (end * block_size < last) total.add(loss(c, end * block_size, last, true));
   return total;
 }
 

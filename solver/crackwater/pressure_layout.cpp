@@ -251,6 +251,7 @@ void PressureSolver::lay_block(int first, int last, double c, double share, Comp
 }
 
 void PressureSolver::finish() {
+  guess_ = nan;
   PressureProfile& out = profile_;
   const int n = table_.count();
   const double round_off = 32.0 * epsilon * magnitude_;

@@ -91,6 +91,10 @@ struct PressureProfile {
   long long gradient_evaluations = 0;  ///< segments visited by the searches
 };
 
+/// Throws std::invalid_argument naming the value and its bound where `solve` would answer `unusable_input`: lengths
+/// other than (n + 1), apertures not finite and > 0, rates not finite.
+void check(const CrackLine& line, std::span<const double> apertures, std::span<const double> rates);
+
 class CompensatedSum;
 
 /// Solves one crack again and again; holds all memory, so that a solve allocates nothing and throws nothing.
@@ -123,8 +127,8 @@ class PressureSolver {
   };
   std::span<const Region> regions() const { return {regions_.data(), regions_.size()}; }
 
-  /// Where the next solve's search for the flux into the upstream mouth begins [m²/s], with `newton` or `prefix_moments`; a good
-  /// guess halves its evaluations. The answer is the same to round-off.
+  /// Where the next solve's search for the flux into the upstream mouth begins [m²/s], with `newton` or
+  /// `prefix_moments`; a good guess halves its evaluations. The answer is the same to round-off.
   void suggest(double upstream_flux) { guess_ = upstream_flux; }
 
   /// For a march: the table filled by the caller.

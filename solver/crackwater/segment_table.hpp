@@ -12,6 +12,7 @@
 /// (the seed paper's) is the same with A_0 = h/w_m³, A_1 = A_2 = 0 and no cutting.
 
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -55,7 +56,18 @@ struct Loss {
   double value = 0.0;      ///< friction loss ∫ φ w⁻³ ds [Pa]
   double slope = 0.0;      ///< its derivative with respect to c [Pa s/m²]
   double magnitude = 0.0;  ///< Σ |loss|, the scale of its round-off [Pa]
+
+  void add(const Loss& part) {
+    value += part.value;
+    slope += part.slope;
+    magnitude += part.magnitude;
+  }
 };
+
+/// What rounding leaves of a pressure that is a sum of terms of this magnitude [Pa].
+inline double round_off(double magnitude) {
+  return 8.0 * std::numeric_limits<double>::epsilon() * magnitude;
+}
 
 class SegmentTable {
  public:

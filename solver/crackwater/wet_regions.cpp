@@ -43,9 +43,9 @@ PressureSolver::Minimum PressureSolver::lowest(Location start, double start_pres
   bool falling = false, risen = false;
   const auto candidate = [&](Location at, double value, bool at_end) {
     // A region behind a void starts where q = 0; by its round-off p may seem to fall there before it rises: no minimum.
-    if (!at_end && !risen && start_pressure == 0.0 && std::abs(value) <= 8.0 * epsilon * magnitude) return;
+    if (!at_end && !risen && start_pressure == 0.0 && std::abs(value) <= round_off(magnitude)) return;
     if (value > minimum.residual.value) return;  // of equal ones the last
-    minimum.residual = {value, -slope, 8.0 * epsilon * magnitude};
+    minimum.residual = {value, -slope, round_off(magnitude)};
     minimum.at = at;
     minimum.at_end = at_end;
   };

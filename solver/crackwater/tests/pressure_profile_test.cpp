@@ -343,6 +343,15 @@ TEST(PressureProfile, RefusesWhatItCannotUse) {
       EXPECT_EQ(solver.solve(motion.apertures, motion.rates, {1e5, 0.0}).status, ProfileStatus::unusable_input);
     }
   }
+  const CrackLine line = straight_crack(45.0, 7);
+  EXPECT_NO_THROW(check(line, good.apertures, good.rates));
+  Motion bad = good;
+  bad.apertures[3] = 0.0;
+  EXPECT_THROW(check(line, bad.apertures, bad.rates), std::invalid_argument);
+  EXPECT_THROW(check(line, good.apertures, reference_motion(6, 0.1).rates), std::invalid_argument);
+  bad = good;
+  bad.rates[7] = nan;
+  EXPECT_THROW(check(line, bad.apertures, bad.rates), std::invalid_argument);
   EXPECT_EQ(solver.solve(good.apertures, good.rates, {nan, 0.0}).status, ProfileStatus::unusable_input);
   EXPECT_EQ(solver.solve(good.apertures, good.rates, {1e5, infinity}).status, ProfileStatus::unusable_input);
   EXPECT_EQ(solver.solve(reference_motion(6, 0.1).apertures, good.rates, {1e5, 0.0}).status,

@@ -1,0 +1,56 @@
+/// What a solve, its tangent and a marched step allocate: nothing.
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "solver/crackwater/filling_march.hpp"
+#include "solver/crackwater/pressure_tangent.hpp"
+#include "solver/crackwater/tests/reference_crack.hpp"
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+// Counting replacements of the global operators; not inlined, or GCC takes malloc and delete for a mismatch.
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  allocations.fetch_add(1, std::memory_order_relaxed);
+  if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+namespace sunder::crackwater {
+namespace {
+
+TEST(Allocations, AreNoneInASolveItsTangentAndAStep) {
+  const long before_vector = allocations;
+  const tests::Motion motion = tests::linear_motion(60, 0.10, 0.05, 0.10, 0.08);
+  ASSERT_GT(allocations, before_vector);  // the count counts
+  tests::Motion wavy = motion;
+  for (std::size_t i = 0; i < wavy.rates.size(); ++i) wavy.rates[i] *= i % 20 < 12 ? 1.0 : -1.0;
+  for (const Search search : tests::all_searches) {
+    PressureSolver solver(straight_crack(45.0, 60), {}, {.search = search});
+    PressureTangent tangent(60);
+    FillingMarch march(straight_crack(45.0, 60), {}, motion.apertures, {.search = search});
+    const long before = allocations;
+    for (const tests::Motion* m : {&motion, static_cast<const tests::Motion*>(&wavy)}) {
+      (void)solver.solve(m->apertures, m->rates, {tests::reference_head, 1e5});
+      differentiate(solver, tangent);
+      (void)solver.solve(m->apertures, m->rates, {tests::reference_head, {}});
+      (void)march.step(m->apertures, {tests::reference_head, 0.0}, 0.01);
+    }
+    (void)solver.uniform(tests::reference_head);
+    EXPECT_EQ(allocations, before) << static_cast<int>(search);
+  }
+}
+
+}  // namespace
+}  // namespace sunder::crackwater
