@@ -18,6 +18,10 @@ struct CutOptions {
   /// An edge of a tip polygon is halved while its length exceeds this multiple of its distance from the tip; > 0.5.
   /// Grades the edges where the crack has a kink close to its tip.
   double tip_edge_ratio = 4.0;
+  /// An edge whose line is nearer to the tip than this fraction of the edge's own distance is seen too flatly (the
+  /// SBFEM's J_b along it is that small): it is joined away or cut off. A body that shall stay one polygon bears much
+  /// flatter ones.
+  double flattest_edge = 0.04;
   /// A piece thinner than this fraction of a neighbour (area over diameter) is joined to it where the union is
   /// star-shaped.
   double sliver = 0.1;

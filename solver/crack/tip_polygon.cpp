@@ -12,10 +12,6 @@
 namespace sunder::crack {
 namespace {
 
-/// An edge is seen too flatly where the distance of its line from the tip is less than this fraction of its own
-/// distance: the SBFEM's J_b along it is that small.
-constexpr double flat = 0.04;
-
 /// Faces behind a kink are cut off already where it turns by less than asin of this, 17 degrees: as edges of the tip
 /// polygon they would lie along the singular field's own faces.
 constexpr double flat_face = 0.3;
@@ -144,13 +140,13 @@ std::vector<int> flat_edges(const Tip& tip) {
   for (std::size_t k = 0; k < loop.size(); ++k) {
     const int a = loop[k], b = loop[(k + 1) % loop.size()];
     if (a == c.tip_vertex(tip.crack) || b == c.tip_vertex(tip.crack)) continue;
-    if (steepness(tip.place(), c.at(a), c.at(b)) < flat) edges.push_back(static_cast<int>(k));
+    if (steepness(tip.place(), c.at(a), c.at(b)) < c.options().flattest_edge) edges.push_back(static_cast<int>(k));
   }
   return edges;
 }
 
 /// Σ of what flat edges lack; 0 where all are seen well.
-double lack(const Point& tip, std::span<const Point> open_line) {
+double lack(const Point& tip, std::span<const Point> open_line, double flat) {
   double sum = 0.0;
   for (std::size_t k = 0; k + 1 < open_line.size(); ++k) {
     sum += std::max(0.0, flat - steepness(tip, open_line[k], open_line[k + 1]));
@@ -168,7 +164,8 @@ bool join_behind_flat_edge(const Tip& tip) {
     for (std::size_t k = 1; k < loop.size(); ++k) line.push_back(c.at(loop[k]));
     return line;
   };
-  double best = lack(tip.place(), open_line(c.loop(polygon))) * (1.0 - 1e-6);
+  const double flat = c.options().flattest_edge;
+  double best = lack(tip.place(), open_line(c.loop(polygon)), flat) * (1.0 - 1e-6);
   int chosen = -1;
   for (const int k : flat_edges(tip)) {
     const std::vector<int>& loop = c.loop(polygon);
@@ -176,7 +173,7 @@ bool join_behind_flat_edge(const Tip& tip) {
     if (other < 0 || !joinable(tip, other) || along_own_face(tip, other)) continue;
     const auto both = c.joined_loop(polygon, other);
     if (!both) continue;
-    const double after = lack(tip.place(), open_line(*both));
+    const double after = lack(tip.place(), open_line(*both), flat);
     if (after < best) {
       best = after;
       chosen = other;
@@ -267,6 +264,7 @@ void cut_off_flat_edge(const Tip& tip) {
   const int n = static_cast<int>(loop.size());
   const Point place = tip.place();
   const std::vector<int> bad = flat_edges(tip);
+  const double flat = c.options().flattest_edge;
   double best = 0.0;
   Chord chosen;
   std::vector<int> starts;

@@ -97,7 +97,7 @@ void insert_cracks(const scene::Scene& scene, mesh::PolygonMesh& polygons, Ledge
   crack::CutOptions options;
   if (scene.mesh.cells == scene::Cells::one && !scene.mesh.list && !scene.mesh.file) {
     options.tip_edges = 1;  // edge_size and grade say how the one polygon's edges are divided
-    options.tip_edge_ratio = std::numeric_limits<double>::infinity();
+    options.flattest_edge = 1e-6;
   }
   if (scene.mesh.tip_edges) options.tip_edges = *scene.mesh.tip_edges;
   for (std::size_t i = 0; i < scene.cracks.size(); ++i) {
