@@ -8,6 +8,7 @@
 # Sources that plant faults (they include numerics/planted_fault.hpp) are compiled a second time with the faults alive, as
 # objects that only the test program `sunder-verify-faulted` links (property SUNDER_FAULTED_OBJECTS).
 set_property(GLOBAL PROPERTY SUNDER_FAULTED_OBJECTS "")
+set_property(GLOBAL PROPERTY SUNDER_MODULE_LIBRARIES "")
 file(WRITE ${PROJECT_BINARY_DIR}/layers.txt "")
 
 function(sunder_module name)
@@ -32,6 +33,8 @@ function(sunder_module name)
     add_library(sunder_${name} INTERFACE)
     target_link_libraries(sunder_${name} INTERFACE sunder_options ${modules} ${arg_LIBRARIES})
   endif()
+
+  set_property(GLOBAL APPEND PROPERTY SUNDER_MODULE_LIBRARIES sunder_${name})
 
   set(faulted "")
   foreach(source IN LISTS sources)

@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "solver/crack/insert_crack.hpp"
+#include "solver/mesh/divide.hpp"
 #include "solver/mesh/msh_file.hpp"
 
 #include "solver/mesh/sources.hpp"
@@ -42,12 +43,11 @@ mesh::PolygonMesh mesh_of_outline(const scene::Scene& scene) {
   const scene::Mesh& wanted = scene.mesh;
   switch (wanted.cells) {
     case scene::Cells::one: {
-      mesh::SizeField edge_size{.size = wanted.edge_size.value_or(std::numeric_limits<double>::infinity())};
       std::vector<mesh::CornerLayers> corners;
       for (const scene::Grading& grading : wanted.grade) {
         corners.push_back({.corner = grading.corner, .layers = grading.layers, .ratio = grading.ratio});
       }
-      return mesh::one_polygon(outline, edge_size, corners);
+      return mesh::one_polygon(outline, {}, corners);
     }
     case scene::Cells::squares:
       return mesh::square_grid(outline, *wanted.size, wanted.max_polygons);
@@ -123,6 +123,7 @@ Body build_body(const scene::Scene& scene, Ledger& ledger) {
     assign_materials(scene, body.polygons);
   }
   if (!scene.cracks.empty()) insert_cracks(scene, body.polygons, ledger);
+  if (scene.mesh.edge_size) mesh::divide_long_edges(body.polygons, {.size = *scene.mesh.edge_size});
   {
     Ledger::Visit visit(ledger, "mesh", "mesh");
     const int at_tip = tip_order(scene.mesh), elsewhere = scene.mesh.order;
