@@ -2,7 +2,9 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "solver/fracture/singular_modes.hpp"
@@ -196,19 +198,36 @@ void read_modes(CrackTip& tip, const SingularModes& modes, const sbfem::Boundary
   tip.unit_exponents = share.solve(modes.unit.matrix * (modes.unit.left.transpose() * exact));
 }
 
-/// Tractions of a Williams field on the boundary as nodal forces ∮ Nᵀ t ds (2n), global axes.
-Eigen::VectorXd boundary_forces(const WilliamsField& field, const sbfem::Boundary& boundary, const TipFrame& frame) {
-  Eigen::VectorXd forces = Eigen::VectorXd::Zero(boundary.nodes.size());
+/// Tractions of Williams fields on the boundary as nodal forces ∮ Nᵀ t ds: one row (2n) a field, global axes.
+Eigen::Matrix3Xd boundary_forces(const std::array<WilliamsField, 3>& fields, const sbfem::Boundary& boundary,
+                                 const TipFrame& frame) {
+  Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, boundary.nodes.size());
+  // One rule for all edges: making a rule costs more than using it.
+  const int largest = *std::max_element(boundary.orders.begin(), boundary.orders.end());
+  const numerics::QuadratureRule gauss = numerics::gauss_legendre(largest + extra_points);
+  std::map<int, Eigen::MatrixXd> shapes;  // (p + 1, points), by order
   for (const sbfem::EdgeElement& edge : sbfem::edge_elements(boundary)) {
-    const numerics::QuadratureRule gauss = numerics::gauss_legendre(edge.order() + extra_points);
+    Eigen::MatrixXd& shape = shapes[edge.order()];
+    if (shape.size() == 0) {
+      shape.resize(edge.order() + 1, gauss.points.size());
+      for (Eigen::Index g = 0; g < gauss.points.size(); ++g) {
+        shape.col(g) = numerics::values(edge.basis, gauss.points[g]);
+      }
+    }
+    const Eigen::Vector2d middle = turned(frame, 0.5 * (edge.first + edge.last));
+    const Eigen::Vector2d half = turned(frame, 0.5 * (edge.last - edge.first));
     for (Eigen::Index g = 0; g < gauss.points.size(); ++g) {
-      const sbfem::EdgePoint point = sbfem::at(edge, gauss.points[g]);
-      const Eigen::Vector2d x = turned(frame, point.position);
-      const Eigen::Vector3d s = stress(field, x.norm(), std::atan2(x.y(), x.x()));
-      const Eigen::Vector2d normal = turned(frame, {point.tangent.y(), -point.tangent.x()});
-      const Eigen::Vector2d traction(s[0] * normal.x() + s[2] * normal.y(), s[2] * normal.x() + s[1] * normal.y());
-      const Eigen::Vector2d weighted = gauss.weights[g] * (frame.to_global * traction);
-      for (int i = 0; i <= edge.order(); ++i) forces.segment<2>(2 * edge.nodes[i]) += point.shape[i] * weighted;
+      const Eigen::Vector2d x = middle + gauss.points[g] * half;
+      const double r = x.norm(), theta = std::atan2(x.y(), x.x());
+      for (int j = 0; j < 3; ++j) {
+        // n ds = (dy, -dx)
+        const Eigen::Vector3d s = stress(fields[static_cast<std::size_t>(j)], r, theta);
+        const Eigen::Vector2d traction(s[0] * half.y() - s[2] * half.x(), s[2] * half.y() - s[1] * half.x());
+        const Eigen::Vector2d weighted = gauss.weights[g] * (frame.to_global * traction);
+        for (int i = 0; i <= edge.order(); ++i) {
+          forces.block<1, 2>(j, 2 * edge.nodes[i]) += shape(i, g) * weighted;
+        }
+      }
     }
   }
   return forces;
@@ -239,14 +258,15 @@ double pairing(const WilliamsField& exterior, const WilliamsField& field, const 
 void read_by_reciprocity(CrackTip& tip, const sbfem::Boundary& boundary, const sbfem::PolygonSolution& solution,
                          const material::Isotropic& material, const TipFrame& frame) {
   constexpr std::array<WilliamsField, 3> fields{{{1, Mode::I}, {1, Mode::II}, {2, Mode::I}}};
+  constexpr std::array<WilliamsField, 3> exterior{{{-1, Mode::I}, {-1, Mode::II}, {-2, Mode::I}}};
   tip.dual.resize(3, boundary.nodes.size());
+  tip.of_displacement = boundary_forces(exterior, boundary, frame);
   for (int j = 0; j < 3; ++j) {
-    const WilliamsField exterior{-fields[j].n, fields[j].mode};
-    const double scale = 1.0 / pairing(exterior, fields[j], material);
-    tip.dual.row(j) = scale * nodal_displacement(exterior, material, boundary, frame);
-    tip.of_displacement.row(j) = scale * boundary_forces(exterior, boundary, frame);
+    const double scale = 1.0 / pairing(exterior[j], fields[j], material);
+    tip.dual.row(j) = scale * nodal_displacement(exterior[j], material, boundary, frame);
+    tip.of_displacement.row(j) *= scale;
   }
-  tip.of_displacement -= tip.dual * solution.K;
+  tip.of_displacement.noalias() -= tip.dual * solution.K;
 }
 
 }  // namespace

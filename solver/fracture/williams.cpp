@@ -26,6 +26,26 @@ double kappa_of(const material::Isotropic& material) {
   return material::kolosov_constant(material);
 }
 
+/// cos and sin of multiples of θ/2, which is all that Williams' fields are made of, from one evaluation.
+class HalfAngles {
+ public:
+  explicit HalfAngles(double theta) : cosine_(std::cos(0.5 * theta)), sine_(std::sin(0.5 * theta)) {}
+
+  /// {cos mθ/2, sin mθ/2}
+  Eigen::Vector2d multiple(int m) const {
+    double c = 1.0, s = 0.0;
+    for (int i = 0; i < std::abs(m); ++i) {
+      const double next = c * cosine_ - s * sine_;
+      s = s * cosine_ + c * sine_;
+      c = next;
+    }
+    return {c, m < 0 ? -s : s};
+  }
+
+ private:
+  double cosine_, sine_;
+};
+
 /// (-1)ⁿ
 double parity(int n) {
   return n % 2 == 0 ? 1.0 : -1.0;
@@ -63,8 +83,9 @@ Eigen::Vector2d displacement(const WilliamsField& field, const material::Isotrop
   if (field.n == 2 && field.mode == Mode::II) return {-r * std::sin(theta), r * std::cos(theta)};
   const double lambda = 0.5 * field.n, kappa = kappa_of(material), even = parity(field.n);
   const double scale = amplitude(field) * std::pow(r, lambda) / (2.0 * material::shear_modulus(material));
-  const double c1 = std::cos(lambda * theta), s1 = std::sin(lambda * theta);
-  const double c2 = std::cos((lambda - 2.0) * theta), s2 = std::sin((lambda - 2.0) * theta);
+  const HalfAngles angles(theta);
+  const Eigen::Vector2d first = angles.multiple(field.n), second = angles.multiple(field.n - 4);
+  const double c1 = first[0], s1 = first[1], c2 = second[0], s2 = second[1];
   if (field.mode == Mode::I) {
     return scale *
            Eigen::Vector2d((kappa + lambda + even) * c1 - lambda * c2, (kappa - lambda - even) * s1 + lambda * s2);
@@ -77,8 +98,9 @@ Eigen::Vector3d stress(const WilliamsField& field, double r, double theta) {
   if (field.n == 2 && field.mode == Mode::II) return Eigen::Vector3d::Zero();
   const double lambda = 0.5 * field.n, even = parity(field.n);
   const double scale = amplitude(field) * lambda * std::pow(r, lambda - 1.0);
-  const double c1 = std::cos((lambda - 1.0) * theta), s1 = std::sin((lambda - 1.0) * theta);
-  const double c3 = std::cos((lambda - 3.0) * theta), s3 = std::sin((lambda - 3.0) * theta);
+  const HalfAngles angles(theta);
+  const Eigen::Vector2d first = angles.multiple(field.n - 2), third = angles.multiple(field.n - 6);
+  const double c1 = first[0], s1 = first[1], c3 = third[0], s3 = third[1];
   if (field.mode == Mode::I) {
     return scale * Eigen::Vector3d((2.0 + lambda + even) * c1 - (lambda - 1.0) * c3,
                                    (2.0 - lambda - even) * c1 + (lambda - 1.0) * c3,
@@ -95,8 +117,9 @@ Eigen::Vector2d displacement_slope(const WilliamsField& field, const material::I
   if (field.n == 2 && field.mode == Mode::II) return {0.0, 1.0};
   const double lambda = 0.5 * field.n, kappa = kappa_of(material), even = parity(field.n);
   const double scale = amplitude(field) * std::pow(r, lambda - 1.0) / (2.0 * material::shear_modulus(material));
-  const double c1 = std::cos(lambda * theta), s1 = std::sin(lambda * theta), l2 = lambda - 2.0;
-  const double c2 = std::cos(l2 * theta), s2 = std::sin(l2 * theta);
+  const HalfAngles angles(theta);
+  const Eigen::Vector2d first = angles.multiple(field.n), second = angles.multiple(field.n - 4);
+  const double c1 = first[0], s1 = first[1], c2 = second[0], s2 = second[1], l2 = lambda - 2.0;
   Eigen::Vector2d value, turn;  // f(θ) and f'(θ)
   if (field.mode == Mode::I) {
     const double a = kappa + lambda + even, b = kappa - lambda - even;
