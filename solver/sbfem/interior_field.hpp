@@ -2,7 +2,7 @@
 /// Displacement, strain and stress anywhere inside a polygon, from the displacements of its boundary.
 ///
 ///     u(ξ) = ξ^A (u_b - Σ d_k) + Σ ξ^{k+1} d_k,      ε = B1 u,ξ + B2 u / ξ,      σ = D ε
-/// [Song 2018, Eq. (3.51) in closed-loop form]. On the complement of the two translations ξ^A is the exponential of
+/// [Song 2018, in closed-loop form]. On the complement of the two translations ξ^A is the exponential of
 /// A ln ξ, so that equal or defective exponents and the rotation need no care, and stresses stay bounded towards the
 /// centre wherever the exponents allow it. Made for post-processing and tests, not for the step loop: one matrix
 /// exponential a value of ξ.

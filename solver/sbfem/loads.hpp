@@ -4,7 +4,7 @@
 /// Traction on an edge is a plain nodal load. Weight and face pressure act along the rays from the scaling centre; they
 /// are described by their density p and power k, with virtual work ∫₀¹ v(ξ)ᵀ p ξᵏ dξ, and become the nodal load
 ///     f_k = ((k + 1) I + Aᵀ)⁻¹ p          (A: the closed loop of the polygon, v(ξ) = ξ^A v_b)
-/// [Song 2018, section 6; closed-loop form]. It exists for every k >= 0 and needs neither eigenvalues nor an inverse of
+/// [Song 2018, in closed-loop form]. It exists for every k >= 0 and needs neither eigenvalues nor an inverse of
 /// modes.
 ///
 /// Signs: forces in global axes; pressure is positive where it pushes into the body, on edges and on both crack faces.

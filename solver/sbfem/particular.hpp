@@ -1,7 +1,7 @@
 #pragma once
 /// The displacement that carries a radial load inside a polygon: u(ξ) = ξ^{k+1} d.
 ///
-/// With s = k + 1 the amplitude d obeys [Song 2018, section 6.2]
+/// With s = k + 1 the amplitude d obeys [Song 2018]
 ///     L(s) d = [s² E0 + s (E1ᵀ - E1) - E2] d = -p,      L(s) = (s I + Aᵀ) E0 (s I - A),
 /// so that (s I - A) d = -E0⁻¹ f_k with the nodal load f_k. Where s is itself an exponent of the polygon (s = 1 always,
 /// s = 2 on edges of order >= 2) the equation is singular but consistent: the part of d along that exponent is not
