@@ -38,10 +38,6 @@ def gating(cases):
     return [check for case in cases for check in case.checks if check.gates and check.kind not in ("contract", "ladder")]
 
 
-def failed(cases):
-    return [(case, check) for case in cases for check in case.checks if check.gates and check.status not in HARMLESS]
-
-
 def _cell(good, total, excused, what):
     if total == 0:
         return Cell("none", "", f"no {what}")
@@ -75,26 +71,38 @@ def trust_matrix(cases):
     return {"columns": COLUMNS, "rows": rows}
 
 
+def faults(cases):
+    """Every planted fault and its verdicts, one a case that names it. It counts as noticed where all of them notice it."""
+    found = {}
+    for case in cases:
+        for n in case.negatives:
+            found.setdefault(n.fault, []).append(n.verdict)
+    return found
+
+
+def noticed(verdicts):
+    return all(v == "killed" for v in verdicts)
+
+
 def verdict(cases):
     """One sentence: does it hold, how much of it is independent, would faults be noticed."""
-    checks, bad = gating(cases), failed(cases)
+    checks = gating(cases)
     broken = [c for c in cases if c.status not in HARMLESS]
+    planted = faults(cases)
+    seen = sum(map(noticed, planted.values()))
+    every = words.count(len(checks), "check") + " of " + words.count(len(cases), "case")
+    told = f"{seen} of {words.count(len(planted), 'planted fault')} {'is' if seen == 1 else 'are'} noticed"
+    if broken:
+        names = ", ".join(f"“{c.title}”" for c in broken[:2]) + (f" and {len(broken) - 2} more" if len(broken) > 2 else "")
+        bad = [c for c in checks if c.status not in HARMLESS]
+        return {"good": False, "word": "Does not hold.", "sentence": f"{len(broken)} of {words.count(len(cases), 'case')} "
+                f"{'fails' if len(broken) == 1 else 'fail'}: {names}; {len(bad)} of {words.count(len(checks), 'check')} "
+                f"{'is' if len(bad) == 1 else 'are'} red; {told}."}
+    if seen < len(planted):
+        return {"good": False, "word": "Not proven.", "sentence": f"All {every} pass, but only {told}."}
     independent = sum(c.evidence in INDEPENDENT for c in checks)
-    faults = [n for c in cases for n in c.negatives]
-    noticed = sum(n.verdict == "killed" for n in faults)
-    share = f"{100 * independent // len(checks)} %" if checks else "none"
-    evidence = f"{share} of them against exact, high-precision or other codes' answers"
-    planted = f"; {noticed} of {words.count(len(faults), 'planted fault')} {'is' if noticed == 1 else 'are'} noticed" if faults else ""
-    if not bad and not broken and noticed == len(faults):
-        return {"good": True, "word": "Holds.", "sentence": f"All {words.count(len(checks), 'check')} of {words.count(len(cases), 'case')} "
-                f"pass, {evidence}{planted}."}
-    if bad or broken:
-        names = ", ".join(dict.fromkeys(c.title for c in broken))
-        names = names if len(broken) <= 3 else ", ".join(c.title for c in broken[:3]) + f" and {len(broken) - 3} more"
-        return {"good": False, "word": "Does not hold.", "sentence": f"{len(bad)} of {words.count(len(checks), 'check')} in "
-                f"{words.count(len(broken), 'case')} of {len(cases)} fail ({names}){planted}."}
-    return {"good": False, "word": "Not proven.", "sentence": f"All {words.count(len(checks), 'check')} of {words.count(len(cases), 'case')} pass, "
-            f"but only {noticed} of {words.count(len(faults), 'planted fault')} are noticed."}
+    return {"good": True, "word": "Holds.", "sentence": f"All {every} pass, {100 * independent // max(len(checks), 1)} % of them against "
+            f"exact, high-precision or other codes’ answers" + (f"; {told}." if planted else ".")}
 
 
 def facts(cases):
@@ -103,8 +111,7 @@ def facts(cases):
     independent = sum(c.evidence in INDEPENDENT for c in checks)
     orders = [c for c in checks if c.kind == "order"]
     ladders = [c for c in cases if c.ladder]
-    faults = {n.fault for c in cases for n in c.negatives}
-    noticed = {n.fault for c in cases for n in c.negatives if n.verdict == "killed"}
+    planted = faults(cases)
     loose, tight = (sum(c.slack_word == w for c in checks) for w in ("loose", "tight"))
     limits = sum(c.status == "known limit" for case in cases for c in case.checks)
     return [
@@ -113,7 +120,7 @@ def facts(cases):
         {"name": "independent", "value": f"{100 * independent // len(checks) if checks else 0} %", "note": "of checks"},
         {"name": "order gates", "value": len(orders), "note": f"{sum(c.status == 'pass' for c in orders)} pass"},
         {"name": "ladders", "value": len(ladders), "note": f"{sum(c.ladder.first_failing >= len(c.settings) for c in ladders)} to the top"},
-        {"name": "faults noticed", "value": f"{len(noticed)}", "note": f"of {len(faults)}"},
+        {"name": "faults noticed", "value": sum(map(noticed, planted.values())), "note": f"of {len(planted)}"},
         {"name": "tolerances", "value": f"{loose}", "note": f"loose, {tight} tight"},
         {"name": "known limits", "value": limits, "note": "excused"},
     ]
@@ -129,11 +136,11 @@ def kills(cases):
             row["cases"].append({"case": case, "red": ", ".join(n.red) or "none"})
             killing |= {(case.id, name) for name in n.red}
     for row in rows.values():
-        row["killed"] = all(v == "killed" for v in row["verdicts"])
+        row["killed"] = noticed(row["verdicts"])
         row["verdict"] = next((v for v in row["verdicts"] if v != "killed"), "killed")
     checks = {(case.id, c.name) for case in cases for c in gating([case])}
-    noticed = sum(r["killed"] for r in rows.values())
+    seen = sum(r["killed"] for r in rows.values())
     sentence = (f"Each fault is one wrong sign, factor or dropped term, built only into a test program; the checks that its cases name "
-                f"must turn red. Noticed: {noticed} of {words.count(len(rows), 'fault')}. Of {len(checks)} gating checks "
+                f"must turn red. Noticed: {seen} of {words.count(len(rows), 'fault')}. Of {len(checks)} gating checks "
                 f"{len(killing & checks)} notice at least one.")
     return {"rows": sorted(rows.values(), key=lambda r: r["fault"]), "words": sentence}

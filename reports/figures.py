@@ -148,42 +148,48 @@ def error_against_time(key, points, failed, quantity, floor=1e-16):
         return Figure(key, _element(figure, key, caption), caption)
 
 
-def ladder(key, rungs, failing, quantity, axis_label, tolerance):
-    """The error of every rung under the tolerance, refusals hollow on the tolerance's line, the first failing rung marked.
+@dataclass(frozen=True)
+class Rung:
+    label: str
+    error: float     # nan where there is no answer
+    tolerance: float  # 0 where none is written
+    outcome: str     # right, declined, wrong
+    series: str = ""
 
-    `rungs`: (label, error or None where there is no answer) from the lowest up; `failing`: index of the rung that is neither
-    right nor refused by name, None where there is none."""
-    if not rungs:
-        raise FigureError(f"{key}: a ladder without a rung")
-    errors = [max(e, 1e-17) for _, e in rungs if e is not None and not math.isnan(e)]
+
+def ladder(key, rungs, quantity, axis_label):
+    """The error of every rung under its tolerance, from the lowest up; declined rungs hollow on the tolerance's line, wrong
+    ones crossed. The curves of a ladder stand side by side."""
+    if not any(r.error >= 0 for r in rungs):
+        raise FigureError(f"{key}: no rung has an error")
+    floor = 1e-17
     with plt.rc_context(STYLE):
-        figure, axes = _axes(axis_label, f"error of {quantity}", (SIZE[0], 2.6))
+        figure, axes = _axes(axis_label, f"error of {quantity}", (SIZE[0], 2.7))
         axes.set_yscale("log")
-        if tolerance > 0:
-            axes.axhline(tolerance, color=SERIES[1], linewidth=1.1)
-            axes.annotate("tolerance", (0.005, tolerance), xycoords=("axes fraction", "data"), xytext=(0, 3),
-                          textcoords="offset points", color=SERIES[1], fontsize=8)
-        right = [(i, max(e, 1e-17)) for i, (_, e) in enumerate(rungs) if e is not None and not math.isnan(e)]
-        good = [(i, e) for i, e in right if i != failing]
-        axes.plot([i for i, _ in good], [e for _, e in good], "o-", color=SERIES[0])
-        base = tolerance if tolerance > 0 else max(errors, default=1.0)
-        refused = [i for i, (_, e) in enumerate(rungs) if e is None and i != failing]
-        if refused:
-            axes.plot(refused, [base] * len(refused), "s", markerfacecolor=PAPER, markeredgecolor=SOFT, markersize=5)
-            axes.annotate("refused by name", (refused[-1], base), xytext=(0, -12), textcoords="offset points", color=SOFT, fontsize=8,
-                          ha="right")
-        if failing is not None:
-            value = rungs[failing][1]
-            value = base if value is None or math.isnan(value) else max(value, 1e-17)
-            axes.plot([failing], [value], "X", color=BAD, markersize=7)
-            axes.annotate("first failing rung", (failing, value), xytext=(0, 7), textcoords="offset points", color=BAD, fontsize=8,
-                          ha="center")
-            axes.margins(y=0.18)
-        axes.set_xlim(-0.4, len(rungs) - 0.6)
-        step = max(1, math.ceil(len(rungs) / 9))
-        axes.set_xticks(range(0, len(rungs), step), [label for label, _ in rungs][::step])
+        places = range(len(rungs))
+        limits = [r.tolerance if r.tolerance > 0 else math.nan for r in rungs]
+        if any(r.tolerance > 0 for r in rungs):
+            axes.step([-0.5, *(i + 0.5 for i in places)], [limits[0], *limits], where="pre", color=SERIES[1], linewidth=1.1,
+                      label="tolerance")
+        for i, name in enumerate(dict.fromkeys(r.series for r in rungs)):
+            own = [(x, r) for x, r in zip(places, rungs) if r.series == name]
+            axes.plot([x for x, _ in own], [max(r.error, floor) for _, r in own], "-", color=SERIES[0], linewidth=0.9)
+        right = [(x, max(r.error, floor)) for x, r in zip(places, rungs) if r.outcome == "right" and r.error >= 0]
+        axes.plot([x for x, _ in right], [y for _, y in right], "o", color=SERIES[0], markersize=3.6, label="right")
+        present = [r.tolerance if r.tolerance > 0 else r.error for r in rungs if r.tolerance > 0 or r.error > 0]
+        base = max(present, default=1.0)
+        for outcome, look, label in (("declined", {"marker": "s", "markerfacecolor": PAPER, "markeredgecolor": SOFT}, "refused by name"),
+                                     ("wrong", {"marker": "X", "color": BAD, "markersize": 6.5}, "wrong")):
+            some = [(x, r) for x, r in zip(places, rungs) if r.outcome == outcome]
+            if some:
+                heights = [max(r.error, floor) if r.error >= 0 else r.tolerance if r.tolerance > 0 else base for _, r in some]
+                axes.plot([x for x, _ in some], heights, linestyle="none", label=label, zorder=4, **look)
+        axes.set_xlim(-0.5, len(rungs) - 0.5)
+        step = max(1, math.ceil(len(rungs) * max(4, max(len(r.label) for r in rungs)) / 52))
+        axes.set_xticks(list(places)[::step], [r.label for r in rungs][::step])
         _powers(axes.yaxis)
-        caption = f"Error of {quantity} over the rungs of the ladder ({axis_label}), {words.count(len(rungs), 'rung')}"
+        axes.legend(loc="upper center", bbox_to_anchor=(0.45, -0.2), ncols=4, handlelength=1.4, columnspacing=1.4, borderaxespad=0.2)
+        caption = f"Error of {quantity} over the {words.count(len(rungs), 'rung')} of the ladder, with the tolerance of each"
         return Figure(key, _element(figure, key, caption), caption)
 
 
@@ -203,7 +209,7 @@ def convergence(key, series, quantity, size_label):
             axes.plot(sizes, errors, **_pen(i), label=f"{label}slope {words.number(slope, 3)} at the fine end")
         sizes = sorted({h for line in series.values() for h, _ in line})
         step = max(1, math.ceil(len(sizes) / 6))
-        axes.set_xticks(sizes[::step], [words.number(h, 2) for h in sizes[::step]])
+        axes.set_xticks(sizes[::step], [words.written(repr(h)) for h in sizes[::step]])
         axes.xaxis.set_minor_locator(NullLocator())
         _powers(axes.yaxis)
         _legend(axes, 2 if len(series) > 1 else 1)

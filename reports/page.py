@@ -50,7 +50,7 @@ def _check_view(check):
     message = f". {check.message}" if check.message else ""
     return {"name": check.name, "status": check.status, "gates": check.gates,
             "evidence": check.evidence + (f" ({check.reference_name})" if check.reference_name else ""),
-            "value": words.number(check.value, 6) if check.kind != "refused" else "",
+            "value": words.number(check.value, 6) if check.kind not in ("refused", "contract") else "",
             "reference": words.number(check.reference, 6) if compares else "", "error": words.error(check.error) if compares else "",
             "tolerance": words.error(check.tolerance) if compares else "",
             "slack": words.number(check.slack, 2) if compares and check.error > 0 else "", "mark": check.slack_word,
@@ -76,8 +76,8 @@ def _case_view(case, works):
     # One setting without a key says no more than the checks do.
     shown = case.settings if keys else ()
     orders = [{"name": c.name, "convergence": o.convergence, "order": words.number(o.order),
-               "pairwise": ", ".join(words.number(p) for p in o.pairwise), "extrapolated": words.number(o.extrapolated, 8),
-               "index": words.error(o.convergence_index), "levels": o.levels_used} for c in case.checks for o in c.orders]
+               "pairwise": ", ".join(words.number(p) for p in o.pairwise), "extrapolated": words.number(o.extrapolated, 8) if not c.reference_name else "answer known",
+               "index": words.error(o.convergence_index) if not c.reference_name else "", "levels": o.levels_used} for c in case.checks for o in c.orders]
     text = " ".join([case.id, case.title, case.requirement, case.why, case.family, case.tier, case.status]
                     + [c.name for c in case.checks] + [f"{r.kind} {r.source} {_source(r, works).full} {r.locator}" for r in case.references]
                     + [n.fault for n in case.negatives]).lower()

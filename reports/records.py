@@ -67,6 +67,7 @@ class Check:
     compared: int
     message: str
     orders: tuple
+    tolerances: tuple = ()  # as written: one, or one a setting
     over: str = ""         # order: the key that is refined
     over_counts: bool = False  # order: `over` is a number of divisions, h = 1 / value
 
@@ -307,6 +308,10 @@ def read_catalogue(*paths):
     return Environment(environment), [cases[key] for key in sorted(cases)]
 
 
+def _listed(value):
+    return value if isinstance(value, (list, tuple)) else [value]
+
+
 def with_prose(case, folder):
     """The case with why, parts and reasons from its file in `folder`; both must be of one version."""
     if not case.tier:  # the file does not follow the schema; the record says where, and fails
@@ -330,7 +335,8 @@ def with_prose(case, folder):
             raise RecordError(f"{path}: check: {check.name!r} is in the record but not in the file; run ci/verify again")
         own = written[check.name]
         law = f"{own['law']}; " if "law" in own else ""
-        checks.append(replace(check, reason=law + own["reason"], reference_name=own.get("reference", ""), over=own.get("over", ""),
+        checks.append(replace(check, reason=law + own["reason"], reference_name=own.get("reference", ""),
+                              tolerances=tuple(_listed(own.get("tolerance", ()))), over=own.get("over", ""),
                               over_counts=own.get("counts", False)))
     return replace(case, why=text["why"], modules=tuple(text["modules"]), checks=tuple(checks))
 

@@ -1,6 +1,7 @@
 """Sweeps, ladders and benchmarks: their figures, and what the figures say in words and tables."""
 from __future__ import annotations
 
+import itertools
 import math
 import re
 
@@ -83,26 +84,56 @@ def convergence(case):
     return figures.convergence(f"order-{case.anchor}", series, case.sweep.error, f"1 / {over}" if check.over_counts else over)
 
 
+LONGEST_LABEL = 12  # letters of a rung's label on an axis; with longer ones the rungs are numbered
+
+
+def _climbing_key(case):
+    """The key that makes the rungs harder: of those that do not tell curves apart, the one with the most values."""
+    values = {}
+    for s in case.settings:
+        for key, value in s.keys:
+            if key not in case.sweep.series:
+                values.setdefault(key, set()).add(value)
+    return max(values, key=lambda k: len(values[k]))
+
+
+def _rungs(case, name):
+    """(axis label, rungs) of a ladder with the errors of the check `name`."""
+    key, check = _climbing_key(case), next((c for c in case.checks if c.name == name), None)
+    labels = [words.written(dict(s.keys).get(key, "")) for s in case.settings]
+    series = [words.setting((k, v) for k, v in s.keys if k in case.sweep.series) for s in case.settings]
+    axis = words.key(key)
+    in_order = len(list(itertools.groupby(labels))) == len(set(labels))
+    if max(map(len, labels)) > LONGEST_LABEL or not in_order or len(set(labels)) < 3:
+        axis, labels = "rung", [str(i + 1) for i in range(len(labels))]
+    written = check.tolerances if check else ()
+    tolerances = written * len(labels) if len(written) == 1 else written or (0.0,) * len(labels)
+    declined_is_right = not any(c.kind == "ladder" and c.status in DECLINED for c in case.checks)
+    rungs = []
+    for s, label, curve, tolerance in zip(case.settings, labels, series, tolerances):
+        error = s.errors.get(name, math.nan)
+        outcome = ("declined" if declined_is_right else "wrong") if s.status in DECLINED else \
+            "wrong" if s.status != "pass" or error > tolerance > 0 else "right"
+        rungs.append(figures.Rung(label, error, tolerance, outcome, curve))
+    return axis, rungs
+
+
 def ladder(case):
-    key = next(k for s in case.settings for k, _ in s.keys)
-    name = case.sweep.error or next(iter(next((s.errors for s in case.settings if s.errors), {"": 0})))
-    check = next((c for c in case.checks if c.name == name), None)
-    tolerance = check.tolerance if check else 0.0
-    rungs = [(words.written(dict(s.keys)[key]), s.errors.get(name) if s.status in ("pass", "wrong value") else None) for s in case.settings]
+    name = case.sweep.error or next((n for s in case.settings for n in s.errors), "")
+    axis, rungs = _rungs(case, name)
     failing = case.ladder.first_failing
+    climbed = [r.tolerance / r.error for r in rungs[:failing] if r.error > 0 and r.tolerance > 0]
     status = case.settings[failing].status if failing < len(rungs) else "pass"
     # Declined in words that the case does not accept is as bad as a wrong answer; the ladder's own check says so.
     declined = status in DECLINED and not any(c.kind == "ladder" and c.status in DECLINED for c in case.checks)
-    wrong = failing < len(rungs) and not declined
-    climbed = [e for _, e in rungs[:failing] if e is not None and e > 0]
-    axis = words.key(key)
+    shown = words.setting(case.settings[failing].keys) if failing < len(rungs) else ""
     return {
-        "case": case, "case_fails": case.status != "pass", "key": axis, "count": len(rungs), "first": rungs[0][0], "last": rungs[-1][0],
-        "failing": f"{rungs[failing][0]}: {'wrong value' if status == 'pass' else status}" if failing < len(rungs) else "",
-        "failing_is_wrong": wrong,
-        "refused": sum(s.status in DECLINED for s in case.settings),
-        "slack": words.number(tolerance / max(climbed), 2) if climbed and tolerance > 0 else "–",
-        "figure": figures.ladder(f"ladder-{case.anchor}", rungs, failing if wrong else None, name, axis, tolerance),
+        "case": case, "key": words.key(_climbing_key(case)), "count": len(rungs),
+        "failing": f"{shown}: {'wrong value' if status == 'pass' else status}" if failing < len(rungs) else "",
+        "failing_is_wrong": failing < len(rungs) and not declined, "refused": sum(s.status in DECLINED for s in case.settings),
+        "climbed": f"{failing} of {len(rungs)}", "slack": words.number(min(climbed), 2) if climbed else "–",
+        # A ladder of laws alone keeps no error a rung; its checks stand in the case.
+        "figure": figures.ladder(f"ladder-{case.anchor}", rungs, name, axis) if any(r.error >= 0 for r in rungs) else None,
     }
 
 

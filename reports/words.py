@@ -62,8 +62,14 @@ def written(value):
     try:
         number_ = float(value)
     except ValueError:
-        return value.strip('"')
-    mantissa, _, exponent = repr(number_).partition("e")
+        if not value.startswith("["):
+            return value.strip('"')
+        inner = re.sub(r"[^\s,\[\]]+", lambda m: written(m.group()), value)
+        return re.sub(r"\[\s+|\s+\]", lambda m: m.group().strip(), inner)
+    text = repr(number_)
+    if len(re.sub(r"e.*|\D", "", text).strip("0")) > 12:  # a quotient: its last digits say nothing
+        text = f"{number_:.6g}"
+    mantissa, _, exponent = text.partition("e")
     if not exponent and abs(number_) >= 1e5 and re.fullmatch(r"-?\d0+\.0", mantissa):
         mantissa, exponent = mantissa.rstrip("0.") or "0", len(mantissa.lstrip("-")) - 3
     if not exponent:

@@ -112,6 +112,7 @@ def catalogue(good=True):
                                                                                  check("K_II", 2e-3, 1e-6)]))
         cases.append(case("sif/kinked-crack", status="wrong value", message="not a number",
                           checks=[{**check("K_I"), "value": None, "error": None, "status": "wrong value", "message": "not a number"}]))
+        cases.append(case("sif/unfinished", status="checked nothing", message="there is no study", checks=[], settings=[]))
         cases.append(case("modal/wave", status="known limit", message="needs an interior mode; until 2027-06-30",
                           checks=[check("omega_9", 4e-2, 1e-2, status="known limit", message="needs an interior mode; until 2027-06-30")],
                           negatives=[negative("sbfem/mass-factor-two", ["omega_9"], "survived")]))
@@ -142,6 +143,8 @@ def case_file(record):
         if c["kind"] not in ("ladder", "contract"):
             lines += ["[[check]]"] + [f"{key} = {json.dumps(c[source], ensure_ascii=False)}" for key, source in (
                 ("name", "name"), ("reason", "reason"), ("reference", "reference_name")) if c[source]]
+            if c["kind"] == "value":
+                lines += [f"tolerance = {c['tolerance']}"]
             if c["kind"] == "order":
                 lines += ['over = "mesh.size"']
     return "\n".join(lines) + "\n"
