@@ -17,4 +17,21 @@ StudyOutput run_scene(const StudyInput& input);
 /// of K; zero_stiffness_modes.
 StudyOutput run_polygon(const StudyInput& input);
 
+/// "polynomial-patch": the patch test of order p. Meshes the scene, prescribes every equilibrium polynomial up to the
+/// parameter `degree` (and their sum) on the whole outer boundary and compares with it: displacement_error over all
+/// nodes, reaction_error of the boundary's forces, and of the sum energy_error and stress_error inside every polygon;
+/// residual, rigid_error, and rank_deficiency on small meshes. Parameters that move the body first: `scale`, `rotation`
+/// [degrees], `shift` [m], `renumber` = 1.
+StudyOutput run_polynomial_patch(const StudyInput& input);
+
+/// "one-polygon": a polygon at the ends of its range (shapes and places in polygon_shape.hpp; `route`): force_error and
+/// backward_error of its polynomials, rigid_error, largest_rigid and smallest_elastic eigenvalue, area_error,
+/// moment_error and mass_difference (against a second solution of the closed loop); with `modes` = 1 exponent_error or,
+/// where open, exponents, and condition_of_modes; with `compare` = 1 route_difference, asymmetry, formation_difference.
+StudyOutput run_one_polygon(const StudyInput& input);
+
+/// "jitter": the same polygon `runs` times with every coordinate moved by one unit in the last place or not: spread and
+/// decimal digits that stiffness and mass keep.
+StudyOutput run_jitter(const StudyInput& input);
+
 }  // namespace sunder::verification
