@@ -182,10 +182,11 @@ void FormationAccess::store(PolygonBatch<Lanes>& batch, const Task& task) const 
     const int polygon = plan.order[static_cast<std::size_t>(task.first + lane)];
     const auto i = static_cast<std::size_t>(polygon);
     iterations[i] = static_cast<int>(batch.iterations[lane]);
-    const bool finite =
-        formation.stiffness(polygon).allFinite() && (!options.with_mass || formation.mass(polygon).allFinite());
+    const auto K = formation.stiffness(polygon);
+    const bool sound =
+        K.allFinite() && K.diagonal().minCoeff() > 0.0 && (!options.with_mass || formation.mass(polygon).allFinite());
     // What the lanes cannot do is tried again by itself, with everything solve_polygon falls back on.
-    if (!finite || batch.converged[lane] == 0.0) solve_single(polygon);
+    if (!sound || batch.converged[lane] == 0.0) solve_single(polygon);
   }
 }
 

@@ -62,6 +62,8 @@ PolygonSolution solve_polygon(const Coefficients& coefficients, Route route) {
   }
   PolygonSolution solution;
   solution.K = expand_stiffness(polygon, riccati_solution.K);
+  // Where round-off outweighs the stiffness (a centre at 1e-15 of an edge), the diagonal is one that no solid has.
+  if (!(solution.K.diagonal().minCoeff() > 0.0)) return failed(coefficients, PolygonStatus::not_positive_definite);
   solution.asymmetry = riccati_solution.asymmetry;
   solution.iterations = riccati_solution.iterations;
   solution.status = riccati_solution.converged ? PolygonStatus::converged : PolygonStatus::not_converged;

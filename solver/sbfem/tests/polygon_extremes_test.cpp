@@ -114,6 +114,25 @@ TEST(PolygonExtremes, OrderedSchurIsBackwardStableOnSlivers) {
   }
 }
 
+TEST(PolygonExtremes, AStiffnessLostToRoundOffIsRefused) {
+  // J_b of the near edge is 1e-15 … 1e-17, its coefficients as large as 1 / J_b: a stiffness of order one drowns.
+  const material::Isotropic material{.youngs_modulus = 1.0, .poisson_ratio = 0.2, .density = 1.0};
+  int refused = 0;
+  for (const double distance : {1e-15, 1e-16, 1e-17}) {
+    for (const int p : {1, 2, 4, 8}) {
+      const std::vector<Eigen::Vector2d> vertices = {{-0.8, -distance}, {0.8, -distance}, {0.8, 1.2}, {-0.8, 1.2}};
+      const PolygonSolution solution = solve_polygon(coefficients(boundary(vertices, p), material));
+      if (solution.status == PolygonStatus::converged) {
+        EXPECT_GT(solution.K.diagonal().minCoeff(), 0.0) << distance << ' ' << p;
+      } else {
+        ++refused;
+        EXPECT_TRUE(solution.K.hasNaN());
+      }
+    }
+  }
+  EXPECT_GT(refused, 0);
+}
+
 TEST(PolygonExtremes, RigidMotionsAreFreeAndNothingElseIs) {
   const material::Isotropic material{.youngs_modulus = 25e9, .poisson_ratio = 0.2};
   for (const auto& vertices : {irregular_vertices(), star_vertices(5, 0.3), rectangle_vertices(100.0, 1.0)}) {
