@@ -13,6 +13,7 @@
 #include <complex>
 #include <span>
 
+#include "solver/fracture/extraction.hpp"
 #include "solver/material/isotropic.hpp"
 #include "solver/sbfem/loads.hpp"
 #include "solver/sbfem/polygon_solution.hpp"
@@ -22,15 +23,6 @@ namespace sunder::fracture {
 struct StressIntensityFactors {
   double K_I = 0.0;   ///< [Pa √m], negative where the faces overlap
   double K_II = 0.0;  ///< [Pa √m], positive where the upper (left) face slides ahead of the lower one
-};
-
-/// How K_I and K_II are read from a displacement. All but the last converge with the order 2p of the boundary.
-enum class Extraction {
-  reciprocity,        ///< default: Betti's theorem with Williams' exterior r^-½ fields; needs no exponents at all
-  energy_projection,  ///< Williams' r^½ fields fitted to the singular modes in the energy of the polygon
-  crack_opening_displacement,  ///< opening of the singular modes at the mouth
-  m_integral,                  ///< interaction integral of the singular modes on the boundary
-  pointwise_stress,            ///< the seed paper's; converges with order p only, offered for comparison
 };
 
 struct CrackTipOptions {

@@ -311,13 +311,17 @@ Table<Support> support_table() {
 Table<Load> load_table() {
   return {"load",
           "[[load]]",
-          "a uniform load on a boundary: `traction` or `pressure`",
+          "a load on a boundary: a uniform `traction` or `pressure`, or standing water up to `water_level`",
           {key(&Load::boundary, {.name = "boundary", .required = true, .meaning = "name of the boundary loaded"}),
            key(&Load::traction, {.name = "traction", .unit = "Pa", .meaning = "in global axes"}),
-           key(&Load::pressure, {.name = "pressure", .unit = "Pa", .meaning = "positive pushes into the body"})},
+           key(&Load::pressure, {.name = "pressure", .unit = "Pa", .meaning = "positive pushes into the body"}),
+           key(&Load::water_level,
+               {.name = "water_level", .unit = "m", .meaning = "y of the free surface of standing water"}),
+           key(&Load::water_density,
+               {.name = "water_density", .unit = "kg/m³", .range = positive(), .meaning = "with `water_level`"})},
           [](const Node& node, Load&, const std::string& path, Findings& findings) {
-            if (node.has("traction") == node.has("pressure"))
-              findings.add(node.origin, path, "accepted: either `traction` or `pressure`, one of them");
+            if (node.has("traction") + node.has("pressure") + node.has("water_level") != 1)
+              findings.add(node.origin, path, "accepted: one of `traction`, `pressure` and `water_level`");
           }};
 }
 
@@ -335,8 +339,13 @@ Table<Modal> modal_table() {
           {key(&Modal::count, {.name = "count", .range = at_least(1), .meaning = "how many, from the lowest"}),
            key(&Modal::interior_order,
                {.name = "interior_order",
-                .range = between(0, highest_order),
-                .meaning = "radial bubble functions inside each polygon; 0: mass of the static modes alone"})}};
+                .range = between(0, 10),
+                .meaning = "radial bubble functions inside each polygon, 2 … 10; 0: mass of the static modes alone"})},
+          [](const Node& node, Modal& modal, const std::string& path, Findings& findings) {
+            if (modal.interior_order == 1)
+              findings.add(node.find("interior_order")->origin, path + ".interior_order",
+                           "1 adds nothing; accepted: 0 or 2 … 10");
+          }};
 }
 
 }  // namespace

@@ -7,6 +7,19 @@ namespace {
 template <class Value>
 using Choices = std::vector<std::pair<std::string, Value>>;
 
+Table<Fracture> fracture_table() {
+  using fracture::Extraction;
+  return {"fracture",
+          "[fracture]",
+          "how the numbers at crack tips are read",
+          {choice(&Fracture::extraction,
+                  Choices<Extraction>{{"reciprocity", Extraction::reciprocity},
+                                      {"energy-projection", Extraction::energy_projection},
+                                      {"crack-opening-displacement", Extraction::crack_opening_displacement},
+                                      {"m-integral", Extraction::m_integral},
+                                      {"pointwise-stress", Extraction::pointwise_stress}},
+                  {.name = "extraction", .meaning = "of K_I and K_II; all but the last converge alike"})}};
+}
 Table<Contact> contact_table() {
   return {"contact",
           "[contact]",
@@ -122,7 +135,7 @@ Table<CrackLine> crack_line_table(const std::shared_ptr<const Table<March>>& mar
 
 std::vector<Part> crack_face_parts() {
   const auto march = march_table();
-  return {one_part<Contact>(&Scene::contact, contact_table()),
+  return {one_part<Fracture>(&Scene::fracture, fracture_table()), one_part<Contact>(&Scene::contact, contact_table()),
           one_part<CrackWater>(&Scene::crack_water, crack_water_table()),
           one_part<Propagation>(&Scene::propagation, propagation_table()),
           one_part<CrackLine>(&Scene::crack_line, crack_line_table(march), {reference_of(*march)})};

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/fracture/extraction.hpp"
 #include "solver/material/isotropic.hpp"
 #include "solver/mesh/polygon_mesh.hpp"
 #include "solver/scene/crack_face_parts.hpp"
@@ -93,12 +94,19 @@ struct Support {
 
 struct Load {
   std::string boundary;
-  std::array<double, 2> traction{};  ///< [Pa], global axes
-  double pressure = 0.0;             ///< [Pa], positive pushes into the body
+  std::array<double, 2> traction{};   ///< [Pa], global axes
+  double pressure = 0.0;              ///< [Pa], positive pushes into the body
+  std::optional<double> water_level;  ///< y of a free surface [m]: pressure ρ g (level - y) below it
+  double water_density = 1000.0;      ///< ρ [kg/m³], > 0; g is that of [gravity], 9.81 m/s² without it
 };
 
 struct Gravity {
   double acceleration = 9.81;  ///< [m/s²], in -y
+};
+
+/// How the numbers at crack tips are read.
+struct Fracture {
+  fracture::Extraction extraction = fracture::Extraction::reciprocity;
 };
 
 struct Modal {
@@ -118,6 +126,7 @@ struct Scene {
   std::vector<Support> supports;
   std::vector<Load> loads;
   std::optional<Gravity> gravity;
+  std::optional<Fracture> fracture;
   std::optional<Modal> modal;
   std::optional<Reservoir> reservoir;
   std::optional<Foundation> foundation;

@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include "solver/numerics/quadrature.hpp"
 #include "solver/scene/scene_error.hpp"
 
 namespace sunder::simulation {
@@ -51,6 +52,32 @@ void scatter(const std::vector<int>& nodes, const VectorXd& edge_force, VectorXd
 
 Eigen::Matrix2Xd places(const Body& body, const std::vector<int>& nodes) {
   return body.nodes.coordinates()(Eigen::all, nodes);
+}
+
+/// Nodal forces of standing water on an edge with nodes (2, m): the pressure weight·(level - y) is linear below the
+/// surface and nothing above, so an edge that the surface cuts is integrated over its wet part.
+VectorXd water_on_edge(const Eigen::Matrix2Xd& nodes, double level, double weight) {
+  const Point first = nodes.col(0), last = nodes.col(nodes.cols() - 1);
+  const double rise = last.y() - first.y();
+  // Fractions of the edge between which it is wet.
+  double from = 0.0, to = 1.0;
+  if (first.y() >= level && last.y() >= level) return VectorXd::Zero(2 * nodes.cols());
+  if (first.y() > level) from = (level - first.y()) / rise;
+  if (last.y() > level) to = (level - first.y()) / rise;
+
+  const auto basis = numerics::lagrange_basis(numerics::gauss_lobatto(static_cast<int>(nodes.cols())).points);
+  const auto rule = numerics::gauss_legendre(static_cast<int>(nodes.cols()) / 2 + 1);  // degree p + 1 exactly
+  const Point inward(-(last - first).y(), (last - first).x());                         // times its length
+  VectorXd force = VectorXd::Zero(2 * nodes.cols());
+  for (Eigen::Index g = 0; g < rule.points.size(); ++g) {
+    const double s = from + 0.5 * (to - from) * (rule.points[g] + 1.0);
+    const double pressure = weight * (level - first.y() - s * rise);
+    const Eigen::VectorXd shape = numerics::values(basis, 2.0 * s - 1.0);
+    for (Eigen::Index i = 0; i < nodes.cols(); ++i) {
+      force.segment<2>(2 * i) += 0.5 * rule.weights[g] * (to - from) * pressure * shape[i] * inward;
+    }
+  }
+  return force;
 }
 
 /// Distance of each pair of the faces from the tip over the length of the crack (inner: of this half), mouth first.
@@ -112,6 +139,10 @@ VectorXd boundary_forces(const scene::Scene& scene, const Body& body) {
       const std::vector<int> nodes = body.nodes.edge_nodes(place.polygon, place.edge);
       const Eigen::Matrix2Xd x = places(body, nodes);
       scatter(nodes, sbfem::edge_traction(x, traction) + sbfem::edge_pressure(x, pressure), force);
+      if (load.water_level) {
+        const double gravity = scene.gravity.value_or(scene::Gravity{}).acceleration;
+        scatter(nodes, water_on_edge(x, *load.water_level, load.water_density * gravity), force);
+      }
     }
   }
   return force;

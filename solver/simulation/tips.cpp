@@ -17,6 +17,7 @@ Eigen::VectorXd on_boundary(const mesh::NodalPolygon& polygon, const Eigen::Vect
 }  // namespace
 
 std::vector<TipResult> tip_results(const scene::Scene& scene, const Body& body, const Eigen::VectorXd& displacement) {
+  const fracture::Extraction extraction = scene.fracture.value_or(scene::Fracture{}).extraction;
   std::vector<TipResult> results;
   for (std::size_t tip = 0; tip < body.polygons.cracks.size(); ++tip) {
     const int index = body.polygons.cracks[tip].tip_polygon;
@@ -25,7 +26,8 @@ std::vector<TipResult> tip_results(const scene::Scene& scene, const Body& body, 
     const sbfem::Boundary boundary = sbfem::boundary_of(body.nodes, index);
     const sbfem::Coefficients coefficients = sbfem::coefficients(boundary, material);
     const sbfem::PolygonSolution solution = sbfem::solve_polygon(coefficients);
-    const fracture::CrackTip crack_tip = fracture::crack_tip(boundary, coefficients, solution, material);
+    const fracture::CrackTip crack_tip =
+        fracture::crack_tip(boundary, coefficients, solution, material, {.extraction = extraction});
     Eigen::Vector3d shares = Eigen::Vector3d::Zero();
     for (const sbfem::RadialLoad& load : polygon_loads(scene, body, index, boundary)) {
       shares += fracture::load_share(crack_tip, coefficients, solution, load);

@@ -155,7 +155,7 @@ const Spoilt values[] = {
     {"displacement unfixed", static_scene, "fix = [\"x\", \"y\"]", "fix = [\"x\"]\ndisplacement = [0, 1]",
      "dam.toml:19:16: support[0].displacement: prescribes y, which `fix` does not name"},
     {"load of neither", static_scene, "traction = [0.0, 1.0e6]", "",
-     "dam.toml:20:1: load[0]: accepted: either `traction` or `pressure`, one of them"},
+     "dam.toml:20:1: load[0]: accepted: one of `traction`, `pressure` and `water_level`"},
     {"crack of one point", static_scene, "[material]", "[[crack]]\npath = [[0, 1]]\n[material]",
      "dam.toml:13:8: crack[0].path: has 1 points; accepted: at least 2, from the mouth to the tip"},
     {"crack standing still", static_scene, "[material]", "[[crack]]\npath = [[0, 1], [0, 1]]\n[material]",
