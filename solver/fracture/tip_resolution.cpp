@@ -6,8 +6,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "solver/numerics/planted_fault.hpp"
-
 namespace sunder::fracture {
 namespace {
 
@@ -104,8 +102,7 @@ void check_tolerance(double tolerance) {
 
 int tip_edge_order(const Eigen::Vector2d& first, const Eigen::Vector2d& last, double tolerance) {
   check_tolerance(tolerance);
-  const double half = numerics::planted_fault("fracture/order-for-the-field-only") ? 2.0 : 1.0;
-  return std::max(2, 1 + order_for(reserve, tolerance, half * log_radius(first, last, Eigen::Vector2d::Zero())));
+  return std::max(2, 1 + order_for(reserve, tolerance, log_radius(first, last, Eigen::Vector2d::Zero())));
 }
 
 ResolvedOutline resolve_outline(std::span<const Eigen::Vector2d> corners, const ResolutionOptions& options) {

@@ -1,17 +1,16 @@
 #include "verification/harness/catalogue.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 #include <sstream>
+
+#include "verification/harness/report_text.hpp"
 
 namespace sunder::verification {
 namespace {
 
-std::string short_number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
+std::string three_digits(double value) {
+  return short_number(value, 3);
 }
 
 /// A cell of a Markdown table holds no bar and no line end.
@@ -31,19 +30,19 @@ std::string tolerance_text(const Check& check) {
     case CheckKind::refused:
       return "refuses: \"" + check.message + "\"";
     case CheckKind::bound:
-      return (check.at_least ? "≥ " + short_number(*check.at_least) : "") +
-             (check.at_least && check.at_most ? ", " : "") + (check.at_most ? "≤ " + short_number(*check.at_most) : "");
+      return (check.at_least ? "≥ " + three_digits(*check.at_least) : "") +
+             (check.at_least && check.at_most ? ", " : "") + (check.at_most ? "≤ " + three_digits(*check.at_most) : "");
     case CheckKind::order: {
       std::string orders;
-      for (const double expected : check.expected) orders += (orders.empty() ? "" : ", ") + short_number(expected);
-      return "order " + orders + " ± " + short_number(check.window);
+      for (const double expected : check.expected) orders += (orders.empty() ? "" : ", ") + three_digits(expected);
+      return "order " + orders + " ± " + three_digits(check.window);
     }
     case CheckKind::value:
     case CheckKind::invariant:
     case CheckKind::pin: {
       const auto [least, greatest] = std::minmax_element(check.tolerance.begin(), check.tolerance.end());
       const std::string range =
-          *least == *greatest ? short_number(*least) : short_number(*least) + " … " + short_number(*greatest);
+          *least == *greatest ? three_digits(*least) : three_digits(*least) + " … " + three_digits(*greatest);
       return (check.kind == CheckKind::invariant ? "invariant" : std::string(word(check.norm))) + " " + range;
     }
   }
@@ -62,10 +61,10 @@ std::string figure_text(const CaseResult& result, const std::string& name) {
   for (const CheckOutcome& check : result.checks)
     if (check.name == name) {
       if (check.kind == "order" && !check.orders.empty())
-        return std::string(word(check.status)) + ", " + short_number(check.value);
+        return std::string(word(check.status)) + ", " + three_digits(check.value);
       if (check.compared == 0 || check.kind == "refused" || check.kind == "bound")
         return std::string(word(check.status));
-      return std::string(word(check.status)) + ", " + short_number(check.error);
+      return std::string(word(check.status)) + ", " + three_digits(check.error);
     }
   return "";
 }

@@ -5,12 +5,6 @@
 namespace sunder::verification {
 namespace {
 
-std::string short_number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
-
 std::string check_text(const CheckOutcome& check) {
   std::string text = "  " + std::string(word(check.status)) + "  " + check.name + " (" + check.kind + ", " +
                      check.evidence + (check.gates ? "" : ", does not gate") + ")";
@@ -30,6 +24,12 @@ std::string check_text(const CheckOutcome& check) {
 }
 
 }  // namespace
+
+std::string short_number(double value, int digits) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return text;
+}
 
 std::string report_text(const CaseResult& result) {
   std::string text =

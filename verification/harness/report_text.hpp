@@ -7,6 +7,9 @@
 
 namespace sunder::verification {
 
+/// The number to at most 17 digits, as short as it can be.
+[[nodiscard]] std::string short_number(double value, int digits = 6);
+
 /// One line for the case, one for each check and each setting that did not run through, one for each planted fault.
 [[nodiscard]] std::string report_text(const CaseResult& result);
 

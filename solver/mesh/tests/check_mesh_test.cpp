@@ -15,14 +15,6 @@ PolygonMesh grid() {
   return square_grid(rectangle(3, 3), 1.0);
 }
 
-PolygonMesh cracked_square() {
-  PolygonMesh mesh;
-  mesh.vertices = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 1}, {0, 1}};
-  mesh.polygons = {{.vertices = {4, 0, 1, 2, 3, 5}, .scaling_centre = {1, 1}, .open = true}};
-  mesh.cracks = {{.lower = {4}, .upper = {5}, .tip_polygon = 0}};
-  return mesh;
-}
-
 struct Fault {
   const char* description;
   PolygonMesh mesh;

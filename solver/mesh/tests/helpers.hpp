@@ -35,6 +35,15 @@ inline Outline rectangle(double width, double height, Point origin = Point::Zero
           .boundaries = {{"bottom", {0}}, {"right", {1}}, {"top", {2}}, {"left", {3}}}};
 }
 
+/// A square that a crack from the middle of its left side has opened: vertices 4 (lower face) and 5 (upper face).
+inline PolygonMesh cracked_square() {
+  PolygonMesh mesh;
+  mesh.vertices = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 1}, {0, 1}};
+  mesh.polygons = {{.vertices = {4, 0, 1, 2, 3, 5}, .scaling_centre = {1, 1}, .open = true}};
+  mesh.cracks = {{.lower = {4}, .upper = {5}, .tip_polygon = 0}};
+  return mesh;
+}
+
 /// The non-overflow section of Koyna dam [m].
 inline Outline koyna() {
   return {.vertices = {{0, 0}, {70, 0}, {19.25, 66.5}, {14.8, 103}, {0, 103}},

@@ -65,15 +65,6 @@ TEST(NodalMesh, EdgesStartWhereTheOrdersBeforeThemEnd) {
   }
 }
 
-/// A square that a crack from the middle of its left side has opened: vertices 4 (lower face) and 5 (upper face).
-PolygonMesh cracked_square() {
-  PolygonMesh mesh;
-  mesh.vertices = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 1}, {0, 1}};
-  mesh.polygons = {{.vertices = {4, 0, 1, 2, 3, 5}, .scaling_centre = {1, 1}, .open = true}};
-  mesh.cracks = {{.lower = {4}, .upper = {5}, .tip_polygon = 0}};
-  return mesh;
-}
-
 TEST(NodalMesh, OpenPolygonHasOneNodeMoreThanItsOrdersAdd) {
   const NodalMesh nodal = place_nodes(cracked_square(), [](int, int) { return 3; });
   const NodalPolygon p = nodal.polygon(0);

@@ -24,8 +24,9 @@ void along_edge(const Eigen::Vector2d& first, const Eigen::Vector2d& last, int p
 }
 
 Eigen::Vector2d traction(const PlacedField& field, const Eigen::Vector2d& x, const Eigen::Vector2d& normal) {
-  const Eigen::Vector3d s = stress(field, x);
-  return {s[0] * normal.x() + s[2] * normal.y(), s[2] * normal.x() + s[1] * normal.y()};
+  const exact::Complex t =
+      exact::traction(exact::stress(field.field, scaled(field, x)), exact::Complex(normal.x(), normal.y()));
+  return {t.real(), t.imag()};
 }
 
 }  // namespace
@@ -33,6 +34,13 @@ Eigen::Vector2d traction(const PlacedField& field, const Eigen::Vector2d& x, con
 Eigen::Vector2d displacement(const PlacedField& field, const Eigen::Vector2d& x) {
   const exact::Complex u = exact::displacement(field.field, field.body, scaled(field, x)) * field.size;
   return {u.real(), u.imag()};
+}
+
+Eigen::VectorXd displacements(const PlacedField& field, const Eigen::Matrix2Xd& nodes) {
+  Eigen::VectorXd u(nodes.size());
+  for (Eigen::Index i = 0; i < nodes.cols(); ++i)
+    u.segment<2>(2 * i) = displacement(field, Eigen::Vector2d(nodes.col(i)));
+  return u;
 }
 
 Eigen::Vector3d stress(const PlacedField& field, const Eigen::Vector2d& x) {

@@ -22,6 +22,9 @@ struct PlacedField {
 Eigen::Vector2d displacement(const PlacedField& field, const Eigen::Vector2d& x);  ///< [m]
 Eigen::Vector3d stress(const PlacedField& field, const Eigen::Vector2d& x);        ///< {σ_xx, σ_yy, τ_xy} [Pa]
 
+/// The displacements at the nodes (2, n) [m], one below the other (2n) [m].
+Eigen::VectorXd displacements(const PlacedField& field, const Eigen::Matrix2Xd& nodes);
+
 /// ∫ Nᵀ t ds of the tractions on a straight edge of order p whose outward side is on the right (2p + 2) [N/m]; exact up
 /// to polynomials of degree p + 2.
 Eigen::VectorXd edge_force(const PlacedField& field, const Eigen::Vector2d& first, const Eigen::Vector2d& last,

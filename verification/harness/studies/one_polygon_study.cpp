@@ -12,6 +12,8 @@
 #include "solver/sbfem/modes.hpp"
 #include "solver/simulation/ledger.hpp"
 #include "verification/harness/studies/exact_fields.hpp"
+#include "verification/harness/studies/free_body.hpp"
+#include "verification/harness/studies/interior_stress.hpp"
 #include "verification/harness/studies/polygon_shape.hpp"
 #include "verification/harness/studies/studies.hpp"
 
@@ -45,13 +47,6 @@ double relative_difference(const MatrixXd& a, const MatrixXd& b) {
   return (a - b).norm() / b.norm();
 }
 
-VectorXd nodal_values(const PlacedField& field, const sbfem::Boundary& boundary) {
-  VectorXd u(boundary.nodes.size());
-  for (Eigen::Index i = 0; i < boundary.nodes.cols(); ++i)
-    u.segment<2>(2 * i) = displacement(field, Eigen::Vector2d(boundary.nodes.col(i)));
-  return u;
-}
-
 VectorXd nodal_forces(const PlacedField& field, const sbfem::Boundary& boundary) {
   const Eigen::Index n = boundary.nodes.cols();
   VectorXd f = VectorXd::Zero(2 * n);
@@ -64,35 +59,37 @@ VectorXd nodal_forces(const PlacedField& field, const sbfem::Boundary& boundary)
   return f;
 }
 
-/// The largest over all equilibrium polynomials up to the order of ‖K u - f‖ / ‖f‖ and ‖K u - f‖ / (‖K‖ ‖u‖).
-void add_patch_errors(const ShapedPolygon& polygon, const sbfem::Boundary& boundary, const MatrixXd& K,
+/// The largest over all equilibrium polynomials up to the order of ‖K u - f‖ / ‖f‖, ‖K u - f‖ / (‖K‖ ‖u‖) and, where
+/// `stress` is asked for, of the difference of stress inside over the largest stress.
+void add_patch_errors(const StudyInput& input, const ShapedPolygon& polygon, const sbfem::Boundary& boundary,
+                      const sbfem::Coefficients& coefficients, const sbfem::PolygonSolution& solution,
                       Quantity& quantities) {
-  double force = 0.0, backward = 0.0;
-  const auto fields = polynomial_fields(polygon.material, polygon.order, Eigen::Vector2d::Zero(), polygon.size);
+  const bool with_stress = number_parameter(input, "stress", 0.0) != 0.0;
+  const MatrixXd& K = solution.K;
+  double force = 0.0, backward = 0.0, stress = 0.0;
+  const Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+  const auto fields = polynomial_fields(polygon.material, polygon.order, centre, polygon.size);
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (i == 1) continue;  // the rotation has no force to compare with
-    const VectorXd u = nodal_values(fields[i], boundary), f = nodal_forces(fields[i], boundary);
+    if (i == 1) continue;  // the rotation has neither force nor stress to compare with
+    const VectorXd u = displacements(fields[i], boundary.nodes), f = nodal_forces(fields[i], boundary);
     const double residual = (K * u - f).norm();
     force = std::fmax(force, residual / f.norm());
     backward = std::fmax(backward, residual / (K.norm() * u.norm()));
+    if (!with_stress) continue;
+    const StressDifference inside =
+        interior_stress_difference(boundary, coefficients, solution, u, polygon.material, centre, fields[i]);
+    stress = std::fmax(stress, inside.difference / inside.exact);
   }
   quantities["force_error"] = force;
   quantities["backward_error"] = backward;
+  if (with_stress) quantities["stress_error"] = stress;
 }
 
 /// Rigid motions carry no force; in the scale of the diagonal exactly three eigenvalues are zero.
 void add_rigid_motions(const sbfem::Boundary& boundary, const MatrixXd& K, Quantity& quantities) {
-  MatrixXd rigid = MatrixXd::Zero(K.rows(), 3);
-  for (Eigen::Index i = 0; i < boundary.nodes.cols(); ++i) {
-    rigid(2 * i, 0) = rigid(2 * i + 1, 1) = 1.0;
-    rigid.block<2, 1>(2 * i, 2) << -boundary.nodes(1, i), boundary.nodes(0, i);
-  }
-  rigid.colwise().normalize();
+  const MatrixXd rigid = rigid_motions(boundary.nodes, Eigen::Vector2d::Zero());
   quantities["rigid_error"] = (K * rigid).colwise().norm().maxCoeff() / K.norm();
-  const VectorXd scale = K.diagonal().cwiseSqrt().cwiseInverse();
-  const VectorXd spectrum =
-      Eigen::SelfAdjointEigenSolver<MatrixXd>(scale.asDiagonal() * K * scale.asDiagonal(), Eigen::EigenvaluesOnly)
-          .eigenvalues();
+  const VectorXd spectrum = scaled_spectrum(K);
   const double largest = spectrum[spectrum.size() - 1];
   quantities["largest_rigid"] = spectrum.head(3).cwiseAbs().maxCoeff() / largest;
   quantities["smallest_elastic"] = spectrum[3] / largest;
@@ -226,7 +223,7 @@ StudyOutput run_one_polygon(const StudyInput& input) {
     const MatrixXd M = stop.empty() ? sbfem::mass(coefficients, solution) : MatrixXd();
     if (stop.empty() && !M.allFinite()) stop = "stopped: the mass does not carry its area";
     if (stop.empty()) {
-      if (!boundary.open) add_patch_errors(polygon, boundary, solution.K, summary.quantities);
+      if (!boundary.open) add_patch_errors(input, polygon, boundary, coefficients, solution, summary.quantities);
       add_rigid_motions(boundary, solution.K, summary.quantities);
       add_mass(polygon, boundary, coefficients, M, solution.A, summary.quantities);
       summary.quantities["iterations"] = solution.iterations;

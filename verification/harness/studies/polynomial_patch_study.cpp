@@ -1,20 +1,19 @@
 /// The patch test of order p: equilibrium polynomials prescribed on the outer boundary of a meshed body.
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 
-#include "solver/mesh/mesh_error.hpp"
 #include "solver/sbfem/assembly.hpp"
 #include "solver/sbfem/formation.hpp"
-#include "solver/sbfem/interior_field.hpp"
-#include "solver/scene/reader.hpp"
 #include "solver/simulation/body.hpp"
 #include "solver/simulation/static_solution.hpp"
 #include "verification/harness/studies/exact_fields.hpp"
+#include "verification/harness/studies/free_body.hpp"
+#include "verification/harness/studies/interior_stress.hpp"
 #include "verification/harness/studies/polygon_shape.hpp"
+#include "verification/harness/studies/scene_of_study.hpp"
 #include "verification/harness/studies/studies.hpp"
 
 namespace sunder::verification {
@@ -79,13 +78,6 @@ struct PatchErrors {
   double displacement = 0.0, reaction = 0.0, residual = 0.0;
 };
 
-VectorXd exact_displacement(const Patch& patch, const PlacedField& field) {
-  const Eigen::Matrix2Xd& x = patch.body.nodes.coordinates();
-  VectorXd u(x.size());
-  for (Eigen::Index i = 0; i < x.cols(); ++i) u.segment<2>(2 * i) = displacement(field, Point(x.col(i)));
-  return u;
-}
-
 VectorXd exact_forces(const Patch& patch, const PlacedField& field) {
   const Eigen::Matrix2Xd& x = patch.body.nodes.coordinates();
   VectorXd f = VectorXd::Zero(x.size());
@@ -109,7 +101,7 @@ double exact_energy(const Patch& patch, const PlacedField& field, int degree) {
 }
 
 simulation::StaticSolution solve(const Patch& patch, const PlacedField& field) {
-  const VectorXd exact = exact_displacement(patch, field);
+  const VectorXd exact = displacements(field, patch.body.nodes.coordinates());
   simulation::Constraints constraints(patch.body.dofs());
   for (const simulation::PolygonEdge& edge : patch.outer) {
     for (const int node : patch.body.nodes.edge_nodes(edge.polygon, edge.edge)) {
@@ -121,7 +113,7 @@ simulation::StaticSolution solve(const Patch& patch, const PlacedField& field) {
 
 /// Largest difference of stress at four points of every edge's sector, over the largest exact stress.
 double stress_error(const Patch& patch, const PlacedField& field, const VectorXd& u) {
-  double difference = 0.0, largest = 0.0;
+  StressDifference worst;
   for (int i = 0; i < patch.body.nodes.polygon_count(); ++i) {
     const mesh::NodalPolygon polygon = patch.body.nodes.polygon(i);
     const sbfem::Boundary boundary = sbfem::boundary_of(patch.body.nodes, i);
@@ -129,44 +121,20 @@ double stress_error(const Patch& patch, const PlacedField& field, const VectorXd
     const sbfem::Coefficients coefficients = sbfem::coefficients(boundary, material);
     VectorXd local(2 * polygon.nodes.size());
     for (std::size_t k = 0; k < polygon.nodes.size(); ++k) local.segment<2>(2 * k) = u.segment<2>(2 * polygon.nodes[k]);
-    const sbfem::InteriorField inside(boundary, coefficients, sbfem::solve_polygon(coefficients), material, local);
-    for (const double xi : {0.35, 0.9}) {
-      const auto ring = inside.ring(xi);
-      Eigen::Index start = 0;
-      for (std::size_t e = 0; e < boundary.orders.size(); ++e) {
-        const Point a = boundary.nodes.col(start);
-        start += boundary.orders[e];
-        const Point b = boundary.nodes.col(start % boundary.nodes.cols());
-        for (const double s : {0.2, 0.7}) {
-          const Eigen::Vector3d exact = stress(field, polygon.scaling_centre + xi * ((1.0 - s) * a + s * b));
-          const Eigen::Vector3d found = inside.stress(ring, static_cast<int>(e), s);
-          difference = std::fmax(difference, (found - exact).lpNorm<Eigen::Infinity>());
-          largest = std::fmax(largest, exact.lpNorm<Eigen::Infinity>());
-        }
-      }
-    }
+    worst.include(interior_stress_difference(boundary, coefficients, sbfem::solve_polygon(coefficients), local,
+                                             material, polygon.scaling_centre, field));
   }
-  return difference / largest;
+  return worst.difference / worst.exact;
 }
 
 void add_rigid_motions(const Patch& patch, results::Quantity& quantities) {
-  const Eigen::Matrix2Xd& x = patch.body.nodes.coordinates();
-  MatrixXd rigid = MatrixXd::Zero(x.size(), 3);
-  for (Eigen::Index i = 0; i < x.cols(); ++i) {
-    const Point r = x.col(i) - patch.middle;
-    rigid(2 * i, 0) = rigid(2 * i + 1, 1) = 1.0;
-    rigid.block<2, 1>(2 * i, 2) << -r.y(), r.x();
-  }
-  rigid.colwise().normalize();
+  const MatrixXd rigid = rigid_motions(patch.body.nodes.coordinates(), patch.middle);
   const auto K = patch.stiffness.selfadjointView<Eigen::Lower>();
   const MatrixXd force = K * rigid;
   quantities["rigid_error"] = force.colwise().norm().maxCoeff() / patch.stiffness.norm();
   constexpr Eigen::Index largest_dense = 400;
-  if (x.size() > largest_dense) return;
-  const VectorXd scale = patch.stiffness.diagonal().cwiseSqrt().cwiseInverse();
-  const MatrixXd full = MatrixXd(patch.stiffness).selfadjointView<Eigen::Lower>();
-  const MatrixXd dense = scale.asDiagonal() * full * scale.asDiagonal();
-  const VectorXd spectrum = Eigen::SelfAdjointEigenSolver<MatrixXd>(dense, Eigen::EigenvaluesOnly).eigenvalues();
+  if (rigid.rows() > largest_dense) return;
+  const VectorXd spectrum = scaled_spectrum(MatrixXd(patch.stiffness).selfadjointView<Eigen::Lower>());
   const double top = spectrum[spectrum.size() - 1];
   quantities["rank_deficiency"] = static_cast<double>((spectrum.array() < 1e-11 * top).count());
 }
@@ -182,7 +150,8 @@ void run_fields(const StudyInput& input, const Patch& patch, results::RunSummary
       summary.status = "stopped: the stiffness matrix is not positive definite";
       return;
     }
-    const VectorXd exact = exact_displacement(patch, fields[i]), force = exact_forces(patch, fields[i]);
+    const VectorXd exact = displacements(fields[i], patch.body.nodes.coordinates()),
+                   force = exact_forces(patch, fields[i]);
     const auto largest = [](const VectorXd& values) { return values.lpNorm<Eigen::Infinity>(); };
     worst.displacement = std::fmax(worst.displacement, largest(solution.displacement - exact) / largest(exact));
     worst.residual = std::fmax(worst.residual, solution.residual);
@@ -199,7 +168,8 @@ void run_fields(const StudyInput& input, const Patch& patch, results::RunSummary
   summary.quantities["residual"] = worst.residual;
 }
 
-void run_patch(const StudyInput& input, const scene::Scene& scene, results::RunSummary& summary) {
+results::RunSummary run_patch(const StudyInput& input, const scene::Scene& scene) {
+  results::RunSummary summary;
   simulation::Ledger ledger;
   Patch patch{.body = simulation::build_body(scene, ledger), .outer = {}, .stiffness = {}, .middle = Point::Zero()};
   {
@@ -222,24 +192,16 @@ void run_patch(const StudyInput& input, const scene::Scene& scene, results::RunS
     run_fields(input, patch, summary);
   }
   ledger.close(summary);
+  return summary;
 }
 
 }  // namespace
 
 StudyOutput run_polynomial_patch(const StudyInput& input) {
-  std::vector<scene::Override> overrides;
-  for (const auto& [key, value] : input.scene_keys) overrides.push_back({key, value.text});
-  StudyOutput output;
-  try {
-    scene::Scene scene = scene::read_scene(input.verification_case.scene, overrides);
+  return run_with_scene(input, [&](scene::Scene& scene) {
     place_body(input, scene);
-    run_patch(input, scene, output.summary);
-  } catch (const scene::SceneError& error) {
-    output.refusal = error.what();
-  } catch (const mesh::MeshError& error) {
-    output.refusal = error.what();
-  }
-  return output;
+    return run_patch(input, scene);
+  });
 }
 
 }  // namespace sunder::verification

@@ -4,9 +4,11 @@ namespace sunder::verification {
 
 const Studies& studies() {
   static const Studies all{
-      {"polygon", run_polygon}, {"one-polygon", run_one_polygon},           {"jitter", run_jitter},
+      {"one-polygon", run_one_polygon},
+      {"jitter", run_jitter},
 #ifdef SUNDER_HAS_SIMULATION
-      {"scene", run_scene},     {"polynomial-patch", run_polynomial_patch},
+      {"scene", run_scene},
+      {"polynomial-patch", run_polynomial_patch},
 #endif
   };
   return all;

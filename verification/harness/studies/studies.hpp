@@ -8,15 +8,6 @@ namespace sunder::verification {
 /// "scene": reads the scene with the setting's keys in place, runs it, and hands on its summary.
 StudyOutput run_scene(const StudyInput& input);
 
-/// "polygon": one polygon under the exact polynomial fields, its mass, its exponents and its three routes. Parameters:
-/// shape = "regular" (corners), "star" (corners, inner_radius), "rectangle" (aspect), "short-edge" (edge); order (1),
-/// degree of the fields (order), youngs_modulus (1), poisson_ratio (0.2), plane ("strain"), route ("ring-doubling",
-/// "matrix-sign", "ordered-schur"), scale (1), rotation (0), shift (0), centre_distance (1: the mean of the corners;
-/// towards 0: the first edge). Quantities, all relative: force_error = ‖K u - f‖ / ‖f‖, backward_error = ‖K u - f‖ /
-/// (‖K‖ ‖u‖), stress_error inside, rigid_motion_error, mass_error, exponent_error, sign_difference and schur_difference
-/// of K; zero_stiffness_modes.
-StudyOutput run_polygon(const StudyInput& input);
-
 /// "polynomial-patch": the patch test of order p. Meshes the scene, prescribes every equilibrium polynomial up to the
 /// parameter `degree` (and their sum) on the whole outer boundary and compares with it: displacement_error over all
 /// nodes, reaction_error of the boundary's forces, and of the sum energy_error and stress_error inside every polygon;
@@ -27,7 +18,8 @@ StudyOutput run_polynomial_patch(const StudyInput& input);
 /// "one-polygon": a polygon at the ends of its range (shapes and places in polygon_shape.hpp; `route`): force_error and
 /// backward_error of its polynomials, rigid_error, largest_rigid and smallest_elastic eigenvalue, area_error,
 /// moment_error and mass_difference (against a second solution of the closed loop); with `modes` = 1 exponent_error or,
-/// where open, exponents, and condition_of_modes; with `compare` = 1 route_difference, asymmetry, formation_difference.
+/// where open, exponents, and condition_of_modes; with `compare` = 1 route_difference, asymmetry, formation_difference;
+/// with `stress` = 1 (it is 0 otherwise) stress_error of its polynomials inside.
 StudyOutput run_one_polygon(const StudyInput& input);
 
 /// "jitter": the same polygon `runs` times with every coordinate moved by one unit in the last place or not: spread and
