@@ -104,14 +104,13 @@ def _families(cases, works):
 
 
 def _hero(layout, cases):
-    case = _find(cases, layout["hero"]["case"], "hero")
-    if not case.sweep.error:
-        raise LayoutError(f"layout: hero: {case.id} has no sweep with an error")
-    return {"title": layout["hero"]["title"], **studies.sweep(case, "hero")}
-
-
-def hero_figure(records, layout):
-    return _hero(layout, records.cases)["figure"]
+    """The first screen's figure: the sweeps of the cases that the layout names, which ask the same of one problem."""
+    wanted = layout["hero"]
+    named = [(entry.get("name", ""), _find(cases, entry["case"], "hero")) for entry in wanted["cases"]]
+    for _, case in named:
+        if not case.sweep.error:
+            raise LayoutError(f"layout: hero: {case.id} has no sweep with an error")
+    return {"title": wanted["title"], **studies.joint_sweep(named, wanted["quantity"], "hero")}
 
 
 def view(records, layout, works):

@@ -4,6 +4,7 @@ from __future__ import annotations
 import itertools
 import math
 import re
+from dataclasses import replace
 
 from reports import figures, words
 from reports.front import ACCEPTED_FACTOR, LEVELS, Point, default_factor, dominance_front, time_to
@@ -37,10 +38,9 @@ def points_of(case):
     return points, failed
 
 
-def sweep(case, key=None):
-    """Figure, sentence and times of one sweep."""
-    points, failed = points_of(case)
-    figure = figures.error_against_time(key or f"sweep-{case.anchor}", points, failed, case.sweep.error)
+def _sweep(points, failed, quantity, key):
+    """Figure, sentence and times of the settings of one problem."""
+    figure = figures.error_against_time(key, points, failed, quantity)
     front = dominance_front(points)
     factor = default_factor(points)
     best = front[-1]
@@ -56,8 +56,24 @@ def sweep(case, key=None):
     if failed:
         text += f" {words.count(len(failed), 'setting')} gave no answer."
     times = [time_to(points, level) for level, _ in LEVELS]
-    return {"case": case, "figure": figure, "words": text, "factor": "no default" if factor is None else words.factor(factor),
+    return {"figure": figure, "words": text, "factor": "no default" if factor is None else words.factor(factor),
             "times": [{"seconds": words.seconds(t.seconds) if t else "not reached", "setting": t.label if t else ""} for t in times]}
+
+
+def sweep(case):
+    """Figure, sentence and times of one case's sweep."""
+    points, failed = points_of(case)
+    return {"case": case, **_sweep(points, failed, case.sweep.error, f"sweep-{case.anchor}")}
+
+
+def joint_sweep(named_cases, quantity, key):
+    """The sweeps of several cases that ask the same of one problem in one figure; `named_cases`: [(name, case)]."""
+    joint, without_answer = [], []
+    for name, case in named_cases:
+        points, failed = points_of(case)
+        joint += [replace(p, series=", ".join(filter(None, (name, p.series))), label=", ".join(filter(None, (name, p.label)))) for p in points]
+        without_answer += failed
+    return _sweep(joint, without_answer, quantity, key)
 
 
 def sweeps(cases):
@@ -143,19 +159,24 @@ def ladders(cases):
 
 def benchmark_figures(layout, benchmarks):
     """One figure a [[benchmark_figure]] of the layout: `pattern` has the groups `size` and `series`; `time = "wall"` shows wall
-    time where threads share the work."""
+    time where threads share the work, `error = "counter"` that error over CPU time."""
     found = []
     for i, wanted in enumerate(layout.get("benchmark_figure", [])):
-        series, wall = {}, wanted.get("time") == "wall"
+        series, points, wall, error = {}, [], wanted.get("time") == "wall", wanted.get("error")
         for b in benchmarks:
             match = re.fullmatch(wanted["pattern"], b.name)
             if match:
                 groups = match.groupdict()
                 name = (groups.get("series") or wanted.get("series", "")).replace("_", " ")
+                if error:
+                    points.append(Point(b.cpu_seconds, b.counters[error], name, b.name))
+                    continue
                 series.setdefault(name, []).append((float(groups["size"]), b.wall_seconds if wall else b.cpu_seconds))
-        if not series:
+        if not series and not points:
             raise LayoutError(f"layout: benchmark_figure {wanted['title']!r}: no benchmark fits {wanted['pattern']!r}")
-        found.append({"title": wanted["title"], "figure": figures.cost(f"cost-{i}", series, wanted["x"], "wall time" if wall else "CPU time", wanted["caption"])})
+        figure = (figures.error_against_time(f"cost-{i}", points, [], wanted["quantity"]) if points else
+                  figures.cost(f"cost-{i}", series, wanted["x"], "wall time" if wall else "CPU time", wanted["caption"]))
+        found.append({"title": wanted["title"], "figure": figure})
     return found
 
 

@@ -92,6 +92,17 @@ class Contents(Folder):
         self.assertEqual([t["seconds"] for t in sweep["times"]], ["1.1 ms", "1.5 ms", "6.2 ms"])
         self.assertEqual(sweep["factor"], "1 ×")
 
+    def test_first_screen_joins_the_sweeps_of_several_cases(self):
+        layout = page.read_layout(LAYOUT)
+        layout["hero"]["cases"] = [{"case": "sif/edge-crack", "name": "tension"}, {"case": "sif/edge-crack-shear", "name": "shear"}]
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            synthetic.write(folder)
+            hero = page.view(records.read(folder, folder / "cases"), layout, WORKS)["hero"]
+        self.assertIn("32 settings", hero["figure"].caption)
+        self.assertIn("tension, cells one", hero["figure"].svg)
+        self.assertIn("shear, cells squares, degree 4", hero["figure"].svg)
+
     def test_known_limits_are_listed(self):
         self.assertEqual([l["check"] for l in view(good=False)["limits"]], ["omega_9"])
 
@@ -123,7 +134,7 @@ class Missing(Folder):
 
     def test_first_screen_without_its_case(self):
         with self.assertRaisesRegex(LayoutError, "hero: no record of the case 'sif/none'"):
-            self.fails(hero={"case": "sif/none", "title": ""})
+            self.fails(hero={"cases": [{"case": "sif/none"}], "title": "", "quantity": ""})
 
     def test_number_without_its_check(self):
         with self.assertRaisesRegex(LayoutError, "sif/edge-crack has no check 'K_V'; it has K_I"):
