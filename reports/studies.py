@@ -67,11 +67,12 @@ def sweep(case):
 
 
 def joint_sweep(named_cases, quantity, key):
-    """The sweeps of several cases that ask the same of one problem in one figure; `named_cases`: [(name, case)]."""
+    """The sweeps of several cases that ask the same of one problem in one figure; `named_cases`: [(name, case)]. The default
+    is that of the first."""
     joint, without_answer = [], []
-    for name, case in named_cases:
+    for i, (name, case) in enumerate(named_cases):
         points, failed = points_of(case)
-        joint += [replace(p, series=", ".join(filter(None, (name, p.series))), label=", ".join(filter(None, (name, p.label)))) for p in points]
+        joint += [replace(p, standard=p.standard and i == 0, series=", ".join(filter(None, (name, p.series))), label=", ".join(filter(None, (name, p.label)))) for p in points]
         without_answer += failed
     return _sweep(joint, without_answer, quantity, key)
 
