@@ -97,10 +97,17 @@ const Study& study_of(const Case& entry) {
   throw CaseError(entry.id + ".case.toml: study: there is no study \"" + entry.study + "\" among " + known);
 }
 
+/// Only a figure of error against run time needs times that have settled.
+bool shows_run_time(const Case& entry) {
+  return entry.sweep && !entry.sweep->error.empty() && !entry.ladder;
+}
+
 CaseResult run_entry(const Case& entry, const Arguments& arguments, bool with_faults) {
   const Study& study = study_of(entry);
-  const RunnerOptions options{
-      .threads = arguments.threads, .pins = read_pins(entry), .today = today(), .repeat = arguments.repeat};
+  const RunnerOptions options{.threads = arguments.threads,
+                              .pins = read_pins(entry),
+                              .today = today(),
+                              .repeat = arguments.repeat && shows_run_time(entry)};
   if (!with_faults) return run_here_or_isolated(entry, arguments, [&] { return run_case(entry, study, options); });
   return run_negatives(entry, *fault_control(), [&](const auto& before, const auto& after) {
     return run_here_or_isolated(entry, arguments, [&] {
@@ -231,7 +238,8 @@ int main(int argc, char** argv) {
   selects(list_command);
   CLI::App* run_command = app.add_subcommand("run", "Run cases, each in a process of its own");
   runs(run_command);
-  run_command->add_flag("--repeat", arguments.repeat, "Repeat each setting until its CPU time is settled");
+  run_command->add_flag("--repeat", arguments.repeat,
+                        "Repeat what shows error against run time until its CPU time is settled");
   run_command->add_flag("--update-pins", arguments.update_pins, "Store what was measured as the new pins");
   CLI::App* negatives_command =
       app.add_subcommand("negatives", "Plant the faults that the cases name; their checks must fail");

@@ -21,7 +21,7 @@ struct RunnerOptions {
   bool repeat = false;     ///< repeat each setting until the median of its CPU time is settled
   double spread = 0.05;    ///< … that is, half-width of its 95 % interval ≤ spread · median
   int most_repeats = 31;
-  double most_seconds = 10.0;  ///< CPU seconds after which a setting is not repeated again
+  double most_seconds = 2.0;  ///< CPU seconds after which a setting is not repeated again
 };
 
 /// Never throws for what the study does: that is a status. The result of every repeat must be the same bits.
