@@ -65,8 +65,11 @@ def trust_matrix(cases):
                 ladders = [c.status for c in members if c.ladder]
                 cells.append(_cell(ladders.count("pass"), len(ladders), ladders.count("known limit"), "ladders climbed as far as claimed"))
                 continue
-            found = [c.status for m in members for c in m.checks if column_of(c) == column and (c.gates or column == "published")]
-            cells.append(_cell(found.count("pass"), len(found), found.count("known limit"), "checks: " + head.replace("­", "")))
+            own = [c for m in members for c in m.checks if column_of(c) == column]
+            found = [c.status for c in own if c.gates]
+            informing = len(own) - len(found)
+            what = "checks: " + head.replace("­", "") + (f"; {informing} more inform without a verdict" if informing else "")
+            cells.append(_cell(found.count("pass"), len(found), found.count("known limit"), what))
         rows.append({"family": family, "name": name, "cells": cells})
     return {"columns": COLUMNS, "rows": rows}
 

@@ -48,7 +48,9 @@ def _check_view(check):
     compares = check.kind in ("value", "order", "pin", "invariant")
     reason = ": ".join(part for part in (check.basis, check.reason) if part)
     message = f". {check.message}" if check.message else ""
-    return {"name": check.name, "status": check.status, "gates": check.gates,
+    # Without a verdict a difference is no failure.
+    status = check.status if check.gates or check.status == "pass" else "differs"
+    return {"name": check.name, "status": status, "gates": check.gates,
             "evidence": check.evidence + (f" ({check.reference_name})" if check.reference_name else ""),
             "value": words.number(check.value, 6) if check.kind not in ("refused", "contract") else "",
             "reference": words.number(check.reference, 6) if compares else "", "error": words.error(check.error) if compares else "",
@@ -143,8 +145,8 @@ def render(view_, printed=False):
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "templates"), autoescape=True,
                                      undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True)
     environment.globals.update(
-        status_class=lambda s: "good" if s == "pass" else "warn" if s in HARMLESS else "bad",
-        status_mark=lambda s: "✓" if s == "pass" else "○" if s in HARMLESS else "✗")
+        status_class=lambda s: "good" if s == "pass" else "warn" if s in (*HARMLESS, "differs") else "bad",
+        status_mark=lambda s: "✓" if s == "pass" else "○" if s in (*HARMLESS, "differs") else "✗")
     page = environment.get_template("page.html.j2").render(
         **view_, printed=printed, style=(HERE / "templates/style.css").read_text(encoding="utf-8"),
         script=(HERE / "templates/script.js").read_text(encoding="utf-8"))

@@ -80,6 +80,7 @@ class Contents(Folder):
         self.assertEqual(cell["refusal"], ("full", "1"))
         self.assertEqual(cell["exact"], ("part", "4/6"))
         self.assertEqual(cell["ladder"], ("none", ""))
+        self.assertEqual(cell["published"], ("none", ""))  # its only check informs and does not gate
         self.assertEqual(next(r for r in matrix["rows"] if r["family"] == "koyna")["cells"], [])
 
     def test_kill_matrix_is_as_good_as_its_worst_case(self):
@@ -102,6 +103,15 @@ class Contents(Folder):
         self.assertIn("32 settings", hero["figure"].caption)
         self.assertIn("tension, cells one", hero["figure"].svg)
         self.assertIn("shear, cells squares, degree 4", hero["figure"].svg)
+
+    def test_difference_of_a_check_that_only_informs_is_no_failure(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            synthetic.write(folder, cases=[synthetic.case("sif/a", checks=[
+                synthetic.check("K_I"), synthetic.check("printed", 1.0, 1e-3, gates=False, evidence="published")])])
+            cases = records.read(folder, folder / "cases").cases
+        self.assertTrue(evidence.verdict(cases)["good"])
+        self.assertEqual([page._check_view(c)["status"] for c in cases[0].checks], ["pass", "differs"])
 
     def test_known_limits_are_listed(self):
         self.assertEqual([l["check"] for l in view(good=False)["limits"]], ["omega_9"])

@@ -137,8 +137,7 @@ void judge_numbers(const Case& verification_case, const Check& check, std::vecto
         keep_worst(outcome, compare_at(verification_case, check, run, &here), tolerance_at(check, i), i, if_wrong);
       } else {
         const Comparison comparison = compare_at(verification_case, check, run, nullptr);
-        if (check.kind == CheckKind::value && comparison.compared > 0)
-          run.row.errors.emplace_back(check.name, comparison.error);
+        if (comparison.compared > 0) run.row.errors.emplace_back(check.name, comparison.error);
         if (counts) keep_worst(outcome, comparison, tolerance_at(check, i), i, if_wrong);
       }
     } catch (const std::invalid_argument& error) {
@@ -225,7 +224,7 @@ double size_of(const Check& check, const SettingRun& run) {
   return check.over_counts ? 1.0 / *literal->number : *literal->number;
 }
 
-void judge_order(const Case& verification_case, const Check& check, const std::vector<SettingRun>& runs,
+void judge_order(const Case& verification_case, const Check& check, std::vector<SettingRun>& runs,
                  CheckOutcome& outcome) {
   const auto all = curves(verification_case, check, runs);
   if (check.expected.size() != 1 && check.expected.size() != all.size())
@@ -249,6 +248,7 @@ void judge_order(const Case& verification_case, const Check& check, const std::v
         if (comparison.compared == 0) throw std::invalid_argument("there is nothing to compare");
         const double sign = comparison.value < comparison.reference ? -1.0 : 1.0;
         levels.push_back({size_of(check, runs[i]), sign * comparison.error});
+        runs[i].row.errors.emplace_back(check.name, comparison.error);
       }
     }
     if (levels.size() < 4)
