@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "solver/numerics/library_threads.hpp"
+
 namespace sunder::numerics {
 namespace {
 
@@ -116,6 +118,7 @@ struct SymmetricFactor::Implementation {
     failed_row = -1;
     status = FactorStatus::too_large;
     if (factor == nullptr) return;
+    const OneLibraryThread calling_thread;
     cholmod_sparse view = view_of(lower);
     const int done = cholmod_factorize(&view, factor, &common);
     if (common.status == CHOLMOD_NOT_POSDEF || (done && factor->minor < factor->n)) {
@@ -127,6 +130,7 @@ struct SymmetricFactor::Implementation {
   }
 
   void solve(double* values, Eigen::Index columns) {
+    const OneLibraryThread calling_thread;
     cholmod_dense right_side{};
     right_side.nrow = static_cast<size_t>(rows);
     right_side.ncol = static_cast<size_t>(columns);
