@@ -51,6 +51,18 @@ PolygonSolution failed(const Coefficients& coefficients, PolygonStatus status) {
   return solution;
 }
 
+/// A = E0⁻¹ (K - E1ᵀ), solved in the scaled variables, where E0 has a unit diagonal. False where E0 is not definite.
+bool close_loop(const Coefficients& coefficients, PolygonSolution& solution) {
+  const Eigen::VectorXd scale = coefficients.E0.diagonal().cwiseSqrt().cwiseInverse();
+  const auto P = scale.asDiagonal();
+  const Eigen::LLT<MatrixXd> E0(P * coefficients.E0 * P);
+  if (E0.info() != Eigen::Success) return false;
+  solution.A = P * (solution.K - coefficients.E1.transpose()) * P;
+  E0.solveInPlace(solution.A);
+  solution.A = P * solution.A * scale.cwiseInverse().asDiagonal();
+  return true;
+}
+
 }  // namespace
 
 PolygonSolution solve_polygon(const Coefficients& coefficients, Route route) {
@@ -67,13 +79,16 @@ PolygonSolution solve_polygon(const Coefficients& coefficients, Route route) {
   solution.asymmetry = riccati_solution.asymmetry;
   solution.iterations = riccati_solution.iterations;
   solution.status = riccati_solution.converged ? PolygonStatus::converged : PolygonStatus::not_converged;
+  if (!close_loop(coefficients, solution)) return failed(coefficients, PolygonStatus::not_positive_definite);
+  return solution;
+}
 
-  // A = E0⁻¹ (K - E1ᵀ), solved in the scaled variables, where E0 has a unit diagonal.
-  const auto P = polygon.scale.asDiagonal();
-  const Eigen::LLT<MatrixXd> E0(P * coefficients.E0 * P);
-  if (E0.info() != Eigen::Success) return failed(coefficients, PolygonStatus::not_positive_definite);
-  const MatrixXd stretched = E0.solve(P * (solution.K - coefficients.E1.transpose()) * P);
-  solution.A = P * stretched * polygon.scale.cwiseInverse().asDiagonal();
+PolygonSolution solution_of_stiffness(const Coefficients& coefficients, const Eigen::Ref<const MatrixXd>& K) {
+  PolygonSolution solution;
+  solution.K = K;
+  if (!K.allFinite() || !close_loop(coefficients, solution)) {
+    return failed(coefficients, PolygonStatus::not_positive_definite);
+  }
   return solution;
 }
 

@@ -28,6 +28,11 @@ struct PolygonSolution {
 
 [[nodiscard]] PolygonSolution solve_polygon(const Coefficients& coefficients, Route route = Route::ring_doubling);
 
+/// The solution of a polygon whose stiffness is known, as from a Formation: A alone is left to be found, for a small
+/// part of the cost. A stiffness that is not finite, that of a failed polygon, fails here too.
+[[nodiscard]] PolygonSolution solution_of_stiffness(const Coefficients& coefficients,
+                                                    const Eigen::Ref<const Eigen::MatrixXd>& K);
+
 /// Consistent mass of the static displacement field (2n, 2n) [kg/m]: (I + A)ᵀ M + M (I + A) = M0, by squared Smith
 /// iteration [Smith 1968]. NaN where the solution failed or where the mass of a translation is not density times area.
 [[nodiscard]] Eigen::MatrixXd mass(const Coefficients& coefficients, const PolygonSolution& solution);

@@ -27,9 +27,9 @@ struct PolygonShare {
 };
 
 PolygonShare share_of(const std::vector<sbfem::RadialLoad>& loads, const sbfem::Boundary& boundary,
-                      const material::Isotropic& material) {
+                      const material::Isotropic& material, const sbfem::Formation::ConstMap& stiffness) {
   const sbfem::Coefficients coefficients = sbfem::coefficients(boundary, material);
-  const sbfem::PolygonSolution solution = sbfem::solve_polygon(coefficients);
+  const sbfem::PolygonSolution solution = sbfem::solution_of_stiffness(coefficients, stiffness);
   const std::vector<sbfem::ParticularSolution> particular = sbfem::particular_solutions(coefficients, solution, loads);
   PolygonShare share;
   std::vector<Eigen::VectorXd> nodal;
@@ -62,7 +62,8 @@ std::vector<sbfem::RadialLoad> polygon_loads(const scene::Scene& scene, const Bo
   return loads;
 }
 
-InteriorLoads interior_loads(const scene::Scene& scene, const Body& body, numerics::ThreadPool& pool) {
+InteriorLoads interior_loads(const scene::Scene& scene, const Body& body, const sbfem::Formation& formation,
+                             numerics::ThreadPool& pool) {
   std::vector<int> loaded;
   for (int i = 0; i < body.nodes.polygon_count(); ++i) {
     if (scene.gravity || body.nodes.polygon(i).open) loaded.push_back(i);
@@ -72,7 +73,9 @@ InteriorLoads interior_loads(const scene::Scene& scene, const Body& body, numeri
     const int index = loaded[i];
     const sbfem::Boundary boundary = sbfem::boundary_of(body.nodes, index);
     const std::vector<sbfem::RadialLoad> loads = polygon_loads(scene, body, index, boundary);
-    if (!loads.empty()) shares[i] = share_of(loads, boundary, body.materials[body.nodes.polygon(index).material]);
+    if (loads.empty()) return;
+    shares[i] =
+        share_of(loads, boundary, body.materials[body.nodes.polygon(index).material], formation.stiffness(index));
   });
   InteriorLoads sum{.force = Eigen::VectorXd::Zero(body.dofs())};
   for (std::size_t i = 0; i < loaded.size(); ++i) {  // in the order of the polygons: the same bits for any thread count

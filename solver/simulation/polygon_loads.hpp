@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/numerics/thread_pool.hpp"
+#include "solver/sbfem/formation.hpp"
 #include "solver/sbfem/loads.hpp"
 #include "solver/scene/scene.hpp"
 #include "solver/simulation/body.hpp"
@@ -23,7 +24,8 @@ struct InteriorLoads {
   double worst_residual = 0.0;  ///< of their particular solutions
 };
 
-/// Only polygons that carry a load are touched.
-[[nodiscard]] InteriorLoads interior_loads(const scene::Scene& scene, const Body& body, numerics::ThreadPool& pool);
+/// Only polygons that carry a load are touched. `formation`: of the body's polygons.
+[[nodiscard]] InteriorLoads interior_loads(const scene::Scene& scene, const Body& body,
+                                           const sbfem::Formation& formation, numerics::ThreadPool& pool);
 
 }  // namespace sunder::simulation

@@ -12,13 +12,14 @@ namespace sunder::simulation {
 namespace {
 
 /// Bubbles of all polygons, numbered polygon by polygon.
-void add_bubbles(const Body& body, int interior_order, numerics::ThreadPool& pool, VibratingBody& vibrating) {
+void add_bubbles(const Body& body, const sbfem::Formation& formation, int interior_order, numerics::ThreadPool& pool,
+                 VibratingBody& vibrating) {
   std::vector<sbfem::RadialBubbles> bubbles(body.nodes.polygon_count());
   pool.parallel_for(body.nodes.polygon_count(), [&](int index) {
     const sbfem::Coefficients coefficients =
         sbfem::coefficients(sbfem::boundary_of(body.nodes, index), body.materials[body.nodes.polygon(index).material]);
-    const sbfem::PolygonSolution solution = sbfem::solve_polygon(coefficients);
-    bubbles[index] = sbfem::radial_bubbles(coefficients, solution, sbfem::mass(coefficients, solution), interior_order);
+    const sbfem::PolygonSolution solution = sbfem::solution_of_stiffness(coefficients, formation.stiffness(index));
+    bubbles[index] = sbfem::radial_bubbles(coefficients, solution, formation.mass(index), interior_order);
   });
   std::vector<Eigen::Triplet<double>> coupling;
   std::vector<double> omega_squared;
@@ -69,7 +70,7 @@ void run_modal(const scene::Scene& scene, const Body& body, const RunOptions& op
     const sbfem::Formation formation = sbfem::form(body.nodes, body.materials, {.with_mass = true, .pool = &pool});
     vibrating.stiffness = sbfem::assemble_stiffness(body.nodes, formation, &pool);
     vibrating.mass = sbfem::assemble_mass(body.nodes, formation, &pool);
-    if (modal.interior_order > 0) add_bubbles(body, modal.interior_order, pool, vibrating);
+    if (modal.interior_order > 0) add_bubbles(body, formation, modal.interior_order, pool, vibrating);
     visit.add_entries(vibrating.stiffness.nonZeros() + vibrating.mass.nonZeros() +
                       vibrating.bubble_coupling.nonZeros());
   }

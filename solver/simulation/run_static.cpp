@@ -51,10 +51,10 @@ Quantity tip_quantity(const TipResult& tip) {
                          {"exponents", std::move(exponents)}};
 }
 
-void add_cracks(const scene::Scene& scene, const Body& body, const Eigen::VectorXd& displacement,
-                results::RunSummary& summary) {
+void add_cracks(const scene::Scene& scene, const Body& body, const sbfem::Formation& formation,
+                const Eigen::VectorXd& displacement, results::RunSummary& summary) {
   Quantity::List tips;
-  for (const TipResult& tip : tip_results(scene, body, displacement)) {
+  for (const TipResult& tip : tip_results(scene, body, formation, displacement)) {
     if (tip.status == fracture::TipStatus::not_a_crack) {
       summary.status = "stopped: the crack polygon at (" + std::to_string(tip.position.x()) + ", " +
                        std::to_string(tip.position.y()) + ") has no pair of singular exponents; refine its edges";
@@ -86,14 +86,15 @@ void run_static(const scene::Scene& scene, const Body& body, const RunOptions& o
   const Supports supports = supports_of(scene, body, false);
 
   report("polygons", 0.2);
+  sbfem::Formation formation;
   Eigen::SparseMatrix<double> stiffness;
   Eigen::VectorXd force = boundary_forces(scene, body);
   double interior_energy = 0.0;
   {
     Ledger::Visit visit(ledger, "sbfem", "polygons");
-    const sbfem::Formation formation = sbfem::form(body.nodes, body.materials, {.pool = &pool});
+    formation = sbfem::form(body.nodes, body.materials, {.pool = &pool});
     stiffness = sbfem::assemble_stiffness(body.nodes, formation, &pool);
-    const InteriorLoads interior = interior_loads(scene, body, pool);
+    const InteriorLoads interior = interior_loads(scene, body, formation, pool);
     force += interior.force + crack_face_forces(scene, body);
     interior_energy = interior.energy;
     visit.add_entries(stiffness.nonZeros());
@@ -120,7 +121,7 @@ void run_static(const scene::Scene& scene, const Body& body, const RunOptions& o
   summary.quantities["reactions"] = reactions(scene, supports, solution.reaction);
   if (!scene.cracks.empty()) {
     const Ledger::Visit visit(ledger, "fracture", "tips");
-    add_cracks(scene, body, u, summary);
+    add_cracks(scene, body, formation, u, summary);
   }
 }
 

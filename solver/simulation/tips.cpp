@@ -16,7 +16,8 @@ Eigen::VectorXd on_boundary(const mesh::NodalPolygon& polygon, const Eigen::Vect
 
 }  // namespace
 
-std::vector<TipResult> tip_results(const scene::Scene& scene, const Body& body, const Eigen::VectorXd& displacement) {
+std::vector<TipResult> tip_results(const scene::Scene& scene, const Body& body, const sbfem::Formation& formation,
+                                   const Eigen::VectorXd& displacement) {
   const fracture::Extraction extraction = scene.fracture.value_or(scene::Fracture{}).extraction;
   std::vector<TipResult> results;
   for (std::size_t tip = 0; tip < body.polygons.cracks.size(); ++tip) {
@@ -25,7 +26,7 @@ std::vector<TipResult> tip_results(const scene::Scene& scene, const Body& body, 
     const material::Isotropic& material = body.materials[polygon.material];
     const sbfem::Boundary boundary = sbfem::boundary_of(body.nodes, index);
     const sbfem::Coefficients coefficients = sbfem::coefficients(boundary, material);
-    const sbfem::PolygonSolution solution = sbfem::solve_polygon(coefficients);
+    const sbfem::PolygonSolution solution = sbfem::solution_of_stiffness(coefficients, formation.stiffness(index));
     const fracture::CrackTip crack_tip =
         fracture::crack_tip(boundary, coefficients, solution, material, {.extraction = extraction});
     Eigen::Vector3d shares = Eigen::Vector3d::Zero();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solver/fracture/stress_intensity.hpp"
+#include "solver/sbfem/formation.hpp"
 #include "solver/scene/scene.hpp"
 #include "solver/simulation/body.hpp"
 
@@ -19,8 +20,9 @@ struct TipResult {
   fracture::TipStatus status = fracture::TipStatus::ready;
 };
 
-/// One a tip, in the order of the scene. `displacement` (dofs) [m].
+/// One a tip, in the order of the scene. `formation`: of the body's polygons; `displacement` (dofs) [m].
 [[nodiscard]] std::vector<TipResult> tip_results(const scene::Scene& scene, const Body& body,
+                                                 const sbfem::Formation& formation,
                                                  const Eigen::VectorXd& displacement);
 
 /// Opening at the mouth of each crack (inner: at its middle) along the normal of the faces [m]; negative: overlap.
