@@ -56,7 +56,10 @@ scene::Crack straight_crack(const mesh::Point& mouth, const mesh::Point& tip) {
 }
 
 scene::Load traction(const std::string& boundary, const std::array<double, 2>& value) {
-  return {.boundary = boundary, .traction = value};
+  scene::Load load;
+  load.boundary = boundary;
+  load.traction = value;
+  return load;
 }
 
 scene::Support support_at(const mesh::Point& point, const std::array<bool, 2>& fix) {
@@ -154,7 +157,7 @@ void gravity_dam_without_mesher(benchmark::State& state, bool heavy) {
   scene.mesh.size.reset();
   if (heavy) return time_run(state, scene, {.threads = static_cast<int>(state.range(0))}, bears_its_weight);
   scene.gravity.reset();
-  scene.loads = {{.boundary = "upstream", .traction = {}, .pressure = 1e6}};
+  scene.loads = {traction("upstream", {1e6, 0.0})};
   time_run(state, scene, {.threads = static_cast<int>(state.range(0))},
            [](const scene::Scene&, const results::RunSummary& summary) {
              const double push = 1e6 * 103.0;  // pressure times height, borne by the base
