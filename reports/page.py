@@ -14,7 +14,7 @@ from reports.studies import LayoutError
 HERE = pathlib.Path(__file__).parent
 LARGEST_PAGE = 10_000_000  # bytes
 
-CONTENTS = (("verdict", "Verdict"), ("trust", "Trust matrix"), ("numbers", "Ten numbers"), ("run-time", "Error against run time"),
+CONTENTS = (("verdict", "Verdict"), ("trust", "Trust matrix"), ("numbers", "Ten numbers"), ("scenes", "Scenes"), ("run-time", "Error against run time"),
             ("ladders", "Stability"), ("faults", "Planted faults"), ("costs", "Costs"), ("cases", "Cases"), ("limits", "Known limits"),
             ("environment", "Environment"))
 
@@ -115,8 +115,8 @@ def _hero(layout, cases):
     return {"title": wanted["title"], **studies.joint_sweep(named, wanted["quantity"], "hero")}
 
 
-def view(records, layout, works):
-    """Everything the template shows, as plain values. `works`: the bibliography."""
+def view(records, layout, works, scenes):
+    """Everything the template shows, as plain values. `works`: the bibliography; `scenes`: of scenes.read."""
     cases = records.cases
     hero, numbers = _hero(layout, cases), [_number(n, cases, works) for n in layout["number"]]
     benchmark_figures = studies.benchmark_figures(layout, records.benchmarks)
@@ -130,7 +130,7 @@ def view(records, layout, works):
     return {
         "contents": CONTENTS, "headline": headline, "verdict": evidence.verdict(cases), "facts": evidence.facts(cases),
         "matrix": evidence.trust_matrix(cases), "hero": hero, "command": layout["command"],
-        "numbers": numbers, "sweeps": sweeps, "levels": [w for _, w in LEVELS],
+        "numbers": numbers, "scenes": scenes, "sweeps": sweeps, "levels": [w for _, w in LEVELS],
         "ladders": ladders, "kills": evidence.kills(cases),
         "benchmark_figures": benchmark_figures, "benchmark_tables": studies.benchmark_tables(records.benchmarks), "families": _families(cases, works),
         "statuses": [s for s in STATUSES if any(c.status == s for c in cases)],

@@ -8,7 +8,7 @@ import tempfile
 import unittest
 import unittest.mock
 
-from reports import evidence, figures, page, pdf, records
+from reports import evidence, figures, page, pdf, records, scenes
 from reports.bibliography import Work
 from reports.browser import Browser
 from reports.front import Point
@@ -38,7 +38,8 @@ def view(good=True):
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         synthetic.write(folder, good=good)
-        return page.view(records.read(folder, folder / "cases"), page.read_layout(LAYOUT), WORKS)
+        layout = page.read_layout(LAYOUT)
+        return page.view(records.read(folder, folder / "cases"), layout, WORKS, scenes.read(folder / "scenes", layout))
 
 
 def run_reports(folder, *arguments, hash_seed="0"):
@@ -99,7 +100,7 @@ class Contents(Folder):
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             synthetic.write(folder)
-            hero = page.view(records.read(folder, folder / "cases"), layout, WORKS)["hero"]
+            hero = page.view(records.read(folder, folder / "cases"), layout, WORKS, [])["hero"]
         self.assertIn("32 settings", hero["figure"].caption)
         self.assertIn("tension, cells one", hero["figure"].svg)
         self.assertIn("shear, cells squares, degree 4", hero["figure"].svg)
@@ -130,7 +131,7 @@ class Contents(Folder):
 
     def test_text_of_records_cannot_become_markup(self):
         synthetic.write(self.folder, cases=[*synthetic.catalogue(), synthetic.case("patch/z", title="<script>alert(1)</script>")])
-        text = page.render(page.view(records.read(self.folder, self.folder / "cases"), page.read_layout(LAYOUT), WORKS))
+        text = page.render(page.view(records.read(self.folder, self.folder / "cases"), page.read_layout(LAYOUT), WORKS, []))
         self.assertNotIn("<script>alert", text)
         self.assertIn("&lt;script&gt;alert", text)
 
@@ -140,7 +141,7 @@ class Missing(Folder):
 
     def fails(self, cases=None, **changes):
         synthetic.write(self.folder, cases=synthetic.catalogue() if cases is None else cases)
-        page.view(records.read(self.folder, self.folder / "cases"), {**page.read_layout(LAYOUT), **changes}, WORKS)
+        page.view(records.read(self.folder, self.folder / "cases"), {**page.read_layout(LAYOUT), **changes}, WORKS, [])
 
     def test_first_screen_without_its_case(self):
         with self.assertRaisesRegex(LayoutError, "hero: no record of the case 'sif/none'"):
@@ -154,6 +155,18 @@ class Missing(Folder):
         figure = {"title": "a", "pattern": r"none:(?P<size>\d+)", "x": "", "caption": ""}
         with self.assertRaisesRegex(LayoutError, "no benchmark fits"):
             self.fails(benchmark_figure=[figure])
+
+    def test_scene_that_was_not_run_or_did_not_finish(self):
+        layout = page.read_layout(LAYOUT)
+        with self.assertRaisesRegex(LayoutError, "scene dam: .*dam.svg is not there"):
+            scenes.read(self.folder, layout)
+        synthetic.write(self.folder)
+        shown = scenes.read(self.folder / "scenes", layout)[0]
+        self.assertEqual(shown.rows[-1], ("K_I of the dam", "−1.56·10⁶ Pa √m"))
+        self.assertIn('stroke="var(--s1)"', shown.picture)
+        (self.folder / "scenes/dam/summary.json").write_text('{"status": "stopped: no"}')
+        with self.assertRaisesRegex(LayoutError, "stopped: no"):
+            scenes.read(self.folder / "scenes", layout)
 
     def test_no_ladder(self):
         with self.assertRaisesRegex(LayoutError, "no ladder"):
@@ -232,8 +245,8 @@ class InTheBrowser(unittest.TestCase):
                     self.assertEqual(browser.evaluate(OVERFLOWING), [])
                     self.assertEqual(browser.evaluate(COVERED), [])
                     drawn = browser.evaluate(FIGURES)
-                    self.assertEqual(len(drawn), 1 + 3 + 3 + 1 + 1)  # first screen, sweeps, ladders, order, benchmarks
-                    self.assertTrue(all(wide >= 300 and paths > 10 for wide, paths in drawn), drawn)
+                    self.assertEqual(len(drawn), 1 + 1 + 3 + 3 + 1 + 1)  # first screen, scene, sweeps, ladders, order, benchmarks
+                    self.assertTrue(all(wide >= 300 and paths >= 1 for wide, paths in drawn), drawn)
                     self.assertEqual(browser.console, [])
                     self.assertEqual(browser.requests, [self.page.resolve().as_uri()])
 

@@ -165,4 +165,9 @@ def write(folder, good=True, cases=None):
             faulted.append({**record, "checks": checks, "environment": {**environment(), "faulted": True}})
     for name, lines in (("catalogue.jsonl", plain), ("faults.jsonl", faulted)):
         (folder / name).write_text("".join(json.dumps(line, ensure_ascii=False) + "\n" for line in lines), encoding="utf-8")
+    (folder / "scenes/dam").mkdir(parents=True, exist_ok=True)
+    (folder / "scenes/dam.svg").write_text('<svg viewBox="0 0 10 10"><rect width="10" height="10" fill="#fff"/>'
+                                           '<path d="M1 1L9 1L9 9Z" stroke="#0072b2" fill="none"/></svg>')
+    (folder / "scenes/dam/summary.json").write_text(json.dumps({
+        "status": "completed", "mesh": {"polygons": 2, "nodes": 4}, "quantities": {"tips": [{"K_I": -1.56e6}]}}))
     (folder / "benchmarks" / "sbfem_benchmark.json").write_text(json.dumps(benchmark_file()))
