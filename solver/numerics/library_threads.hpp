@@ -2,8 +2,8 @@
 /// Keeps the libraries that the sparse factorisation calls on the thread that calls them.
 ///
 /// CHOLMOD opens an OpenMP team of fixed size and OpenBLAS one thread a core for every small dense block of a factor.
-/// The blocks of a plane body are too small to repay that: the teams mostly wait, the longer the more the cores are used
-/// by others. Both numbers of threads are therefore fixed, whatever the environment says.
+/// The blocks of a plane body are too small to repay that: the teams mostly wait, the longer the more the cores are
+/// used by others. Both numbers of threads are therefore fixed, whatever the environment says.
 
 namespace sunder::numerics {
 
