@@ -39,6 +39,13 @@ std::string megabytes(double bytes) {
 
 int check_command(const Arguments& arguments, const Console& console, const Solver& solver) {
   const scene::Scene scene = scene::read_scene(arguments.scene, arguments.overrides);
+  if (scene.analysis == scene::Analysis::crack_water) {
+    simulation::check_crack_water(scene);
+    if (arguments.picture) throw scene::SceneError(scene.file.string() + ": a crack alone has no mesh to draw");
+    console.out << scene.name << "\n  parts       crack of " << scene.crack_line->segments
+                << " segments, no mesh\nusable; nothing was run" << std::endl;
+    return completed;
+  }
   Plan plan;
   at_its_place(scene, [&] { plan = solver.plan(scene); });
   if (arguments.picture) {

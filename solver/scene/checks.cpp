@@ -241,7 +241,8 @@ void refuse_unbuilt(const Node& document, const Scene& scene, Findings& findings
     findings.add(document.find("analysis")->origin, "",
                  "not built yet: analysis = \"" + std::string(word_of(scene.analysis)) + "\"");
   for (std::string_view table : unbuilt_tables)
-    if (document.has(table)) findings.add(place(document, table), "", "not built yet: [" + std::string(table) + "]");
+    if (document.has(table) && !built_in(table, scene.analysis))
+      findings.add(place(document, table), "", "not built yet: [" + std::string(table) + "]");
 }
 
 }  // namespace sunder::scene

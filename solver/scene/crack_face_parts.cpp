@@ -127,7 +127,17 @@ Table<CrackLine> crack_line_table(const std::shared_ptr<const Table<March>>& mar
                  {.name = "march", .meaning = "a history; absent: the profile of an instant"}),
        choice(&CrackLine::quadrature,
               Choices<WaterQuadrature>{{"exact", WaterQuadrature::exact}, {"midpoint", WaterQuadrature::midpoint}},
-              {.name = "quadrature", .meaning = "of the pressure gradient along a segment"})},
+              {.name = "quadrature", .meaning = "of the pressure gradient along a segment"}),
+       choice(&CrackLine::search,
+              Choices<WaterSearch>{{"bisection", WaterSearch::bisection},
+                                   {"itp", WaterSearch::itp},
+                                   {"toms748", WaterSearch::toms748},
+                                   {"newton", WaterSearch::newton},
+                                   {"prefix", WaterSearch::prefix}},
+              {.name = "search", .meaning = "how the flux is found"}),
+       key(&CrackLine::tolerance, {.name = "tolerance",
+                                   .range = {.low = 0.0, .high = 1.0, .high_open = true},
+                                   .meaning = "of the flux, relative to its bracket; 0: to round-off"})},
       check_crack_line};
 }
 

@@ -53,6 +53,14 @@ struct March {
 enum class Tip { open, closed };
 enum class WaterQuadrature { exact, midpoint };
 
+enum class WaterSearch {
+  bisection,  ///< the seed paper's
+  itp,
+  toms748,
+  newton,
+  prefix,  ///< Newton's method on sums worked out beforehand
+};
+
 /// A crack with given motion: `analysis = "crack-water"`.
 struct CrackLine {
   double length;                          ///< [m], > 0
@@ -64,6 +72,8 @@ struct CrackLine {
   Tip tip = Tip::open;
   std::optional<March> march;  ///< absent: the profile of one instant
   WaterQuadrature quadrature = WaterQuadrature::exact;
+  WaterSearch search = WaterSearch::prefix;  ///< how the flux is found
+  double tolerance = 0.0;                    ///< of the flux, relative to its bracket, >= 0, < 1; 0: to round-off
 };
 
 }  // namespace sunder::scene

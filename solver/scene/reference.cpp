@@ -85,7 +85,11 @@ std::vector<TableReference> reference() {
 std::string reference_markdown() {
   std::string text;
   for (const TableReference& table : reference()) {
-    text += "### `" + table.heading + "`\n\n" + table.meaning + (table.built ? "" : " (not built yet)") + "\n\n";
+    text += "### `" + table.heading + "`\n\n" + table.meaning +
+            (table.built                                   ? ""
+             : built_in(table.name, Analysis::crack_water) ? " (built for analysis = \"crack-water\" only)"
+                                                           : " (not built yet)") +
+            "\n\n";
     text += "| key | type | unit | accepted | default | meaning |\n|---|---|---|---|---|---|\n";
     for (const KeyReference& key : table.keys)
       text += "| `" + key.name + "` | " + cell(key.type) + " | " + key.unit + " | " + key.accepted + " | " +

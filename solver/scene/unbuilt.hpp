@@ -17,15 +17,18 @@ inline constexpr std::array unbuilt_tables = {
     std::string_view("propagation"),    //
     std::string_view("ground_motion"),  //
     std::string_view("dynamics"),       //
-    std::string_view("crack_line"),     //
     std::string_view("response"),       //
     std::string_view("output"),         //
 };
 
 inline constexpr std::array unbuilt_analyses = {
     Analysis::dynamic,
-    Analysis::crack_water,
     Analysis::response,
 };
+
+/// A table of the list above that is built in this one analysis.
+constexpr bool built_in(std::string_view table, Analysis analysis) {
+  return table == "crack_water" && analysis == Analysis::crack_water;
+}
 
 }  // namespace sunder::scene

@@ -1,5 +1,5 @@
 #pragma once
-/// The analyses that `run` chooses from, each from a body to the quantities of the summary.
+/// The analyses that `run` chooses from, each from a body, or a crack alone, to the quantities of the summary.
 
 #include "solver/numerics/thread_pool.hpp"
 #include "solver/results/run_summary.hpp"
@@ -15,5 +15,9 @@ void run_static(const scene::Scene& scene, const Body& body, const RunOptions& o
 
 void run_modal(const scene::Scene& scene, const Body& body, const RunOptions& options, numerics::ThreadPool& pool,
                Ledger& ledger, results::RunSummary& summary);
+
+/// A crack with given motion and no body. Throws scene::SceneError as `check_crack_water`.
+void run_crack_water(const scene::Scene& scene, const RunOptions& options, Ledger& ledger,
+                     results::RunSummary& summary);
 
 }  // namespace sunder::simulation

@@ -33,6 +33,12 @@ results::RunSummary run(const scene::Scene& scene, const RunOptions& options) {
   summary.name = scene.name;
   summary.analysis = word(scene.analysis);
   summary.threads = options.threads;
+  if (scene.analysis == scene::Analysis::crack_water) {  // no body at all
+    run_crack_water(scene, options, ledger, summary);
+    ledger.close(summary);
+    if (options.progress) options.progress("done", 1.0);
+    return summary;
+  }
   if (options.progress) options.progress("mesh", 0.0);
   const Body body = build_body(scene, ledger);
   summary.mesh = {.polygons = body.nodes.polygon_count(), .nodes = body.nodes.node_count(), .dofs = body.dofs()};

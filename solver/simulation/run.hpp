@@ -20,4 +20,8 @@ struct RunOptions {
 /// status in the summary.
 [[nodiscard]] results::RunSummary run(const scene::Scene& scene, const RunOptions& options = {});
 
+/// What only module crackwater knows of a scene with analysis = "crack-water": throws scene::SceneError with table and
+/// key for values that it does not accept.
+void check_crack_water(const scene::Scene& scene);
+
 }  // namespace sunder::simulation

@@ -1,0 +1,98 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "solver/scene/reader.hpp"
+#include "solver/scene/scene_error.hpp"
+#include "solver/simulation/run.hpp"
+
+namespace sunder::simulation {
+namespace {
+
+const char* const closing_crack = R"(name = "45 m crack"
+analysis = "crack-water"
+[crack_water]
+[crack_line]
+length = 45.0
+segments = 45
+aperture = [0.10, 0.05]
+opening_rate = [-0.10, 0.0]
+upstream_head = 50.0
+downstream_head = 0.0
+)";
+
+results::RunSummary run_text(const std::string& text, std::vector<scene::Override> overrides = {}) {
+  return run(scene::read_scene_text(text, "test.scene.toml", overrides));
+}
+
+double number(const results::RunSummary& summary, const char* path) {
+  const results::Quantity* quantity = summary.quantities.find(path);
+  return quantity != nullptr && quantity->number() != nullptr ? *quantity->number() : NAN;
+}
+
+std::string refusal(std::vector<scene::Override> overrides) {
+  try {
+    static_cast<void>(run_text(closing_crack, std::move(overrides)));
+  } catch (const scene::SceneError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// Reference: 40-digit computation, reference-data/independent-crack-water-2026.
+TEST(CrackWaterRun, GivesTheQuantitiesOfTheClosingCrackWithoutABody) {
+  const results::RunSummary summary = run_text(closing_crack);
+  ASSERT_TRUE(summary.completed()) << summary.status;
+  EXPECT_NEAR(number(summary, "uplift_force"), 146995198.365368616, 1e-12 * 146995198.0);
+  EXPECT_NEAR(number(summary, "upstream_flux"), -1.65874217599189056, 1e-12);
+  EXPECT_NEAR(number(summary, "downstream_flux"), 0.591257824008109439, 1e-12);
+  EXPECT_NEAR(number(summary, "peak_position"), 21.9320126233930305, 1e-11);
+  EXPECT_NEAR(number(summary, "pressure[20]"), 4302500.4137781886, 1e-12 * 4305211.0);
+  EXPECT_EQ(*summary.quantities.find("status")->text(), "converged");
+  EXPECT_GT(number(summary, "gradient_evaluations"), 0.0);
+  ASSERT_EQ(summary.parts.size(), 1u);
+  EXPECT_EQ(summary.parts[0].part, "crackwater");
+  EXPECT_EQ(summary.mesh.polygons, 0);
+}
+
+TEST(CrackWaterRun, ReadsApertureAndRateAtEveryNode) {
+  const results::RunSummary summary = run_text(closing_crack, {{"crack_line.segments", "3"},
+                                                               {"crack_line.aperture", "[0.04, 0.05, 0.05, 0.04]"},
+                                                               {"crack_line.opening_rate", "[0, -0.1, -0.1, 0]"},
+                                                               {"crack_line.upstream_head", "0"}});
+  ASSERT_TRUE(summary.completed());
+  // symmetric: 3 segments of 15 m displace 15 (0.05 + 0.1 + 0.05) = 3 m²/s, one half through each mouth
+  EXPECT_NEAR(number(summary, "upstream_flux"), -1.5, 1e-12);
+  EXPECT_NEAR(number(summary, "downstream_flux"), 1.5, 1e-12);
+}
+
+TEST(CrackWaterRun, MarchesWithTheWaterBalanced) {
+  const results::RunSummary summary =
+      run_text(closing_crack, {{"crack_line.opening_rate", "0.01"},
+                               {"crack_line.march", "{ time_step = 0.3, duration = 1.0, initially = \"empty\" }"}});
+  ASSERT_TRUE(summary.completed()) << summary.status;
+  EXPECT_LE(number(summary, "water_volume_error"), 1e-13);
+  const double front = number(summary, "front_position");
+  EXPECT_GT(front, 0.0);
+  EXPECT_LT(front, 45.0);
+  for (const auto& [name, count] : summary.counts)
+    if (name == "steps") EXPECT_EQ(count, 4);  // three of 0.3 s and one of 0.1 s
+}
+
+TEST(CrackWaterRun, NamesTheTableAndTheKeyThatItCannotUse) {
+  const std::string said = refusal({{"crack_water.relative_roughness", "1e-3"}});
+  EXPECT_EQ(said.find("test.scene.toml:3: [crack_water] relative_roughness = 0.001"), 0u) << said;
+  EXPECT_NE(said.find(">= 0.00687879"), std::string::npos) << said;
+  const scene::Override march{"crack_line.march", "{ time_step = 0.1, duration = 1 }"};
+  EXPECT_NE(refusal({march, {"crack_line.quadrature", "\"midpoint\""}}).find("[crack_line] quadrature"),
+            std::string::npos);
+  EXPECT_NE(refusal({march, {"crack_line.tolerance", "1e-3"}}).find("[crack_line] tolerance"), std::string::npos);
+  EXPECT_NE(refusal({march, {"crack_water.model", "\"uniform\""}}).find("[crack_water] model"), std::string::npos);
+  EXPECT_NE(refusal({{"crack_line.march", "{ time_step = 1e-300, duration = 1 }"}}).find("[crack_line] march.duration"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace sunder::simulation
