@@ -49,7 +49,7 @@ class Records(unittest.TestCase):
         self.assertTrue(math.isnan(kinked.checks[0].error))
 
     def test_messages_lose_the_folders_of_the_machine(self):
-        made = synthetic.case("patch/a", message="/home/someone/sunder/a.scene.toml:3: size: 1 m/s is not 2 m")
+        made = synthetic.case("patch/a", message="/srv/someone/sunder/a.scene.toml:3: size: 1 m/s is not 2 m")
         self.assertEqual(self.read(cases=[made]).cases[0].message, "a.scene.toml:3: size: 1 m/s is not 2 m")
 
     def test_slack_words(self):
