@@ -86,8 +86,17 @@ double StepEquations::acceleration_factor() const {
   return 1.0 / (options_.scheme.beta * options_.time_step * options_.time_step);
 }
 
-VectorXd StepEquations::inertia_of_ground(const Eigen::Vector2d& ground) const {
-  return ground_mass_.transpose() * ground;
+double StepEquations::work_of_ground(const VectorXd& moved, const Eigen::Vector2d& ground) const {
+  return (ground_mass_ * moved).dot(ground);
+}
+
+double StepEquations::work_on_medium(std::size_t i, const VectorXd& moved, const VectorXd& before) const {
+  double work = 0.0;
+  for (std::size_t k = 0; k < media_[i]->dofs.size(); ++k) {
+    const auto row = static_cast<Index>(k);
+    work += moved[media_[i]->dofs[k]] * (before[row] + medium_forces_[i][row]);
+  }
+  return work;
 }
 
 const VectorXd& StepEquations::trial(const MotionState& state, const StepLoad& start, const StepLoad& end) {

@@ -67,8 +67,6 @@ class StepEquations {
   /// Ends the step: the media take the accelerations; their forces R at its end become those of the next start.
   void accept(const MotionState& next, const Eigen::Vector2d& ground, std::span<AttachedMedium* const> media);
 
-  /// R (n) [N/m] of medium `i` at the end of the last accepted step, on the medium.
-  const Eigen::VectorXd& medium_force(std::size_t i) const { return medium_forces_[i]; }
   /// Σ W_j a_{n-j}, j >= 1, plus W_0 times the ground's share, of the coming step, for medium `i` (n): set by `trial`.
   const Eigen::VectorXd& medium_history(std::size_t i) const { return histories_[i]; }
 
@@ -76,8 +74,15 @@ class StepEquations {
   const Eigen::SparseMatrix<double>& mass() const { return mass_; }            ///< lower, as given
   const Constraints& constraints() const { return *constraints_; }
 
-  /// M r a_g (dofs): what the ground's acceleration does in the relative formulation.
-  Eigen::VectorXd inertia_of_ground(const Eigen::Vector2d& ground) const;
+  /// Δuᵀ M r a_g [J/m]: work of a motion Δu (dofs) against the inertia of a ground acceleration.
+  double work_of_ground(const Eigen::VectorXd& moved, const Eigen::Vector2d& ground) const;
+  /// Δuᵀ (R_before + R) [J/m] on medium `i` with its force R at the end of the last accepted step.
+  double work_on_medium(std::size_t i, const Eigen::VectorXd& moved, const Eigen::VectorXd& before) const;
+
+  /// Forces of the media at the end of the last accepted step, one after the other; to go on with in the equations
+  /// after a growth event.
+  const std::vector<Eigen::VectorXd>& medium_forces() const { return medium_forces_; }
+  void begin_with(const std::vector<Eigen::VectorXd>& medium_forces) { medium_forces_ = medium_forces; }
 
  private:
   void hold(Eigen::VectorXd& values) const;
