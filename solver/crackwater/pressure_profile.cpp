@@ -66,11 +66,12 @@ PressureSolver::PressureSolver(const CrackLine& line, const Water& water, const 
 
 const PressureProfile& PressureSolver::solve(std::span<const double> apertures, std::span<const double> rates,
                                              const MouthPressures& mouths) noexcept {
-  if (!table_.fill(apertures, rates)) {
-    reset({nan, {}});
-    return profile_;
-  }
-  return solve_filled(mouths);
+  return table_.fill(apertures, rates) ? solve_filled(mouths) : give_nothing();
+}
+
+const PressureProfile& PressureSolver::give_nothing() noexcept {
+  (void)reset({nan, {}});
+  return profile_;
 }
 
 bool PressureSolver::reset(const MouthPressures& mouths) {
@@ -84,6 +85,7 @@ bool PressureSolver::reset(const MouthPressures& mouths) {
   p.cavitated = p.at_regime_jump = false;
   p.residual_evaluations = 0;
   p.gradient_evaluations = 0;
+  mouths_ = mouths;
   open_ = mouths.downstream.has_value();
   upstream_ = std::max(mouths.upstream, 0.0);
   downstream_ = open_ ? std::max(*mouths.downstream, 0.0) : 0.0;

@@ -134,6 +134,10 @@ class PressureSolver {
   /// For a march: the table filled by the caller.
   SegmentTable& table_for_march() { return table_; }
   const PressureProfile& solve_filled(const MouthPressures& mouths) noexcept;
+  /// The profile of unusable input.
+  const PressureProfile& give_nothing() noexcept;
+  /// Those of the last solve, as they were given.
+  const MouthPressures& mouths() const { return mouths_; }
 
  private:
   /// The lowest local minimum of the pressure for one c, and where it lies.
@@ -178,7 +182,8 @@ class PressureSolver {
   PressureProfile profile_;
   std::vector<Region> regions_;
   std::vector<double> loss_, to_first_, to_last_;
-  double upstream_ = 0.0, downstream_ = 0.0;
+  MouthPressures mouths_;
+  double upstream_ = 0.0, downstream_ = 0.0;  // what counts of them
   double lowest_pressure_ = 0.0, magnitude_ = 0.0, peak_before_ = 0.0, peak_position_before_ = 0.0;
   double guess_ = std::numeric_limits<double>::quiet_NaN();
   bool open_ = false, use_prefix_ = false;

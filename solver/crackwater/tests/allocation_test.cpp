@@ -45,7 +45,9 @@ TEST(Allocations, AreNoneInASolveItsTangentAndAStep) {
       (void)solver.solve(m->apertures, m->rates, {tests::reference_head, 1e5});
       differentiate(solver, tangent);
       (void)solver.solve(m->apertures, m->rates, {tests::reference_head, {}});
-      (void)march.step(m->apertures, {tests::reference_head, 0.0}, 0.01);
+      (void)march.trial(m->apertures, {tests::reference_head, 0.0}, 0.01);
+      differentiate(march, tangent);
+      (void)march.accept();
     }
     (void)solver.uniform(tests::reference_head);
     EXPECT_EQ(allocations, before) << static_cast<int>(search);
