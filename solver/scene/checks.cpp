@@ -219,6 +219,29 @@ void check_density(const Node& document, const Scene& scene, Findings& findings)
       refuse(element(document, "region", i), "region[" + std::to_string(i) + "].density");
 }
 
+/// Growth needs a crack, and an increment that fits into the body where the scene tells how large that is.
+void check_propagation(const Node& document, const Scene& scene, Findings& findings) {
+  if (!scene.propagation) return;
+  const Node& node = *document.find("propagation");
+  if (scene.cracks.empty())
+    findings.add(node.origin, "[propagation]", "has no effect without [[crack]]; a crack must be there to grow");
+  const std::vector<Point>* points = nullptr;
+  if (scene.geometry) points = &scene.geometry->outline;
+  if (scene.mesh.list) points = &scene.mesh.list->vertices;
+  if (points == nullptr || points->empty()) return;
+  Point low = points->front(), high = low;
+  for (const Point& point : *points) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  const double size = (high - low).norm();
+  if (scene.propagation->increment < size) return;
+  const Node* given = node.find("increment");
+  findings.add(given != nullptr ? given->origin : node.origin, "propagation.increment",
+               shown(scene.propagation->increment) + " m is larger than the body; accepted: a number < " + shown(size) +
+                   " [m], the diagonal of the body");
+}
+
 }  // namespace
 
 std::string_view word_of(Analysis analysis) {
@@ -233,6 +256,7 @@ void check_together(const Node& document, const Scene& scene, Findings& findings
   check_shape(document, scene, findings);
   check_boundaries(document, scene, findings);
   check_density(document, scene, findings);
+  check_propagation(document, scene, findings);
   if (scene.analysis == Analysis::static_ && findings.count() == before) check_held(document, scene, findings);
 }
 

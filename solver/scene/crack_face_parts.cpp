@@ -70,7 +70,22 @@ Table<Propagation> propagation_table() {
            {.name = "increment", .unit = "m", .range = positive(), .meaning = "length of one growth"}),
        choice(&Propagation::criterion,
               Choices<PropagationCriterion>{{"max-hoop-stress", PropagationCriterion::max_hoop_stress}},
-              {.name = "criterion", .meaning = "direction of growth"})}};
+              {.name = "criterion", .meaning = "direction of growth"}),
+       choice(&Propagation::per_step,
+              Choices<fracture::GrowthPerStep>{{"one-increment", fracture::GrowthPerStep::one_increment},
+                                               {"until-arrest", fracture::GrowthPerStep::until_arrest}},
+              {.name = "per_step", .meaning = "in time: growth of a tip in one time step"}),
+       key(&Propagation::max_speed,
+           {.name = "max_speed", .unit = "m/s", .range = positive(), .meaning = "in time: of a tip"}),
+       key(&Propagation::steps,
+           {.name = "steps", .range = between(1, 100000), .meaning = "at rest: growths before the run ends"}),
+       key(&Propagation::until_length, {.name = "until_length",
+                                        .unit = "m",
+                                        .range = positive(),
+                                        .meaning = "at rest: end once a crack is as long"}),
+       key(&Propagation::together, {.name = "together",
+                                    .range = {.low = 0.0, .high = 1.0, .low_open = true},
+                                    .meaning = "at rest: tips with this share of the largest K_eq grow at once"})}};
 }
 
 std::shared_ptr<const Table<March>> march_table() {

@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "solver/fracture/propagation.hpp"
+
 namespace sunder::scene {
 
 enum class ContactModel {
@@ -40,6 +42,13 @@ struct Propagation {
   double fracture_toughness;  ///< [Pa √m], > 0
   double increment = 0.5;     ///< [m], > 0
   PropagationCriterion criterion = PropagationCriterion::max_hoop_stress;
+  // In time (analysis = "dynamic"):
+  fracture::GrowthPerStep per_step = fracture::GrowthPerStep::one_increment;
+  std::optional<double> max_speed;  ///< of a tip [m/s], > 0; absent: no limit but increment / time step
+  // At rest (analysis = "static"): the loads are scaled so that the crack just grows.
+  int steps = 100;                     ///< growths at most, >= 1
+  std::optional<double> until_length;  ///< stop once a crack is as long [m], > 0
+  double together = 0.95;  ///< tips with at least this share of the largest K_eq grow in the same step, > 0, <= 1
 };
 
 enum class Filling { full, empty };

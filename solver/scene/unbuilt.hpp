@@ -28,7 +28,8 @@ inline constexpr std::array unbuilt_analyses = {
 
 /// A table of the list above that is built in this one analysis.
 constexpr bool built_in(std::string_view table, Analysis analysis) {
-  return table == "crack_water" && analysis == Analysis::crack_water;
+  return (table == "crack_water" && analysis == Analysis::crack_water) ||
+         (table == "propagation" && analysis == Analysis::static_);
 }
 
 }  // namespace sunder::scene

@@ -93,18 +93,14 @@ void assign_materials(const scene::Scene& scene, mesh::PolygonMesh& polygons) {
   }
 }
 
-void insert_cracks(const scene::Scene& scene, mesh::PolygonMesh& polygons, Ledger& ledger) {
+crack::CutOptions cut_options(const scene::Scene& scene) {
   crack::CutOptions options;
   if (scene.mesh.cells == scene::Cells::one && !scene.mesh.list && !scene.mesh.file) {
     options.tip_edges = 1;  // edge_size and grade say how the one polygon's edges are divided
     options.flattest_edge = 1e-6;
   }
   if (scene.mesh.tip_edges) options.tip_edges = *scene.mesh.tip_edges;
-  for (std::size_t i = 0; i < scene.cracks.size(); ++i) {
-    const Ledger::Visit visit(ledger, "crack", "mesh");
-    crack::insert_crack(polygons, {.points = scene.cracks[i].path, .inner = scene.cracks[i].inner}, static_cast<int>(i),
-                        options);
-  }
+  return options;
 }
 
 /// On a coarse tip polygon the edges' order decides K_I, and raising it costs next to nothing (measured: README).
@@ -122,19 +118,31 @@ Body build_body(const scene::Scene& scene, Ledger& ledger) {
     body.polygons = uncracked_mesh(scene);
     assign_materials(scene, body.polygons);
   }
-  if (!scene.cracks.empty()) insert_cracks(scene, body.polygons, ledger);
-  if (scene.mesh.edge_size) mesh::divide_long_edges(body.polygons, {.size = *scene.mesh.edge_size});
+  body.discretisation = {.cut = cut_options(scene),
+                         .order = scene.mesh.order,
+                         .tip_order = tip_order(scene.mesh),
+                         .edge_size = scene.mesh.edge_size};
+  for (std::size_t i = 0; i < scene.cracks.size(); ++i) {
+    const Ledger::Visit visit(ledger, "crack", "mesh");
+    crack::insert_crack(body.polygons, {.points = scene.cracks[i].path, .inner = scene.cracks[i].inner},
+                        static_cast<int>(i), body.discretisation.cut);
+  }
   {
     Ledger::Visit visit(ledger, "mesh", "mesh");
-    const int at_tip = tip_order(scene.mesh), elsewhere = scene.mesh.order;
-    body.nodes = mesh::place_nodes(body.polygons, [&](int polygon, int /*edge*/) {
-      return body.polygons.polygons[polygon].open ? at_tip : elsewhere;
-    });
+    place_nodes(body);
     visit.add_entries(body.nodes.coordinates().size());
   }
   if (scene.material) body.materials.push_back(*scene.material);
   for (const scene::Region& region : scene.regions) body.materials.push_back(region.material);
   return body;
+}
+
+void place_nodes(Body& body) {
+  const Discretisation& rule = body.discretisation;
+  if (rule.edge_size) mesh::divide_long_edges(body.polygons, {.size = *rule.edge_size});
+  body.nodes = mesh::place_nodes(body.polygons, [&](int polygon, int /*edge*/) {
+    return body.polygons.polygons[polygon].open ? rule.tip_order : rule.order;
+  });
 }
 
 std::vector<PolygonEdge> find_edges(const mesh::PolygonMesh& mesh, const std::vector<mesh::Edge>& edges) {

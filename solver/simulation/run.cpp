@@ -45,6 +45,8 @@ results::RunSummary run(const scene::Scene& scene, const RunOptions& options) {
 
   if (options.stop != nullptr && options.stop->load()) {
     summary.status = "stopped: interrupted after meshing";
+  } else if (scene.analysis == scene::Analysis::static_ && scene.propagation) {
+    run_propagation(scene, body, options, pool, ledger, summary);
   } else if (scene.analysis == scene::Analysis::static_) {
     run_static(scene, body, options, pool, ledger, summary);
   } else if (scene.analysis == scene::Analysis::modal) {

@@ -80,10 +80,12 @@ VectorXd water_on_edge(const Eigen::Matrix2Xd& nodes, double level, double weigh
   return force;
 }
 
-/// Distance of each pair of the faces from the tip over the length of the crack (inner: of this half), mouth first.
+/// Distance of each pair of the faces from the tip, or from where the crack has ended, over the length of the crack
+/// (inner: of this half), mouth first.
 std::vector<double> distance_from_tip(const mesh::PolygonMesh& mesh, const mesh::CrackFaces& faces) {
   std::vector<double> distance(faces.lower.size());
-  double from_tip = (mesh.vertices[faces.lower.back()] - mesh.polygons[faces.tip_polygon].scaling_centre).norm();
+  const Point& last = mesh.vertices[faces.lower.back()];
+  double from_tip = faces.tip_polygon < 0 ? 0.0 : (last - mesh.polygons[faces.tip_polygon].scaling_centre).norm();
   for (std::size_t i = faces.lower.size(); i-- > 0;) {
     distance[i] = from_tip;
     if (i > 0) from_tip += (mesh.vertices[faces.lower[i]] - mesh.vertices[faces.lower[i - 1]]).norm();
