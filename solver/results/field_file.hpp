@@ -4,7 +4,8 @@
 ///
 /// A mesh is written once and serves all snapshots that follow; a crack that grows brings a new mesh. Snapshots go to
 /// the disk one by one. A file with one snapshot is VTKHDF 1.0, which old readers know as well (VTK 9.1); from the
-/// second on it is 2.0 with the group `Steps`, which they refuse by its version. The same values give the same bytes.
+/// second on it is 2.0 with the group `Steps`, before which VTK 9.1 warns: it shows the first snapshot alone. The same
+/// values give the same bytes.
 
 #include <Eigen/Core>
 #include <cstdint>

@@ -5,6 +5,7 @@
 #include "solver/sbfem/assembly.hpp"
 #include "solver/sbfem/formation.hpp"
 #include "solver/simulation/analyses.hpp"
+#include "solver/simulation/field_snapshot.hpp"
 #include "solver/simulation/polygon_loads.hpp"
 #include "solver/simulation/static_loads.hpp"
 #include "solver/simulation/static_solution.hpp"
@@ -66,6 +67,20 @@ void add_cracks(const scene::Scene& scene, const Body& body, const sbfem::Format
   summary.quantities["crack_mouth_opening"] = openings.size() == 1 ? Quantity(openings.front()) : Quantity(openings);
 }
 
+void write_fields(const scene::Scene& scene, const Body& body, const RunOptions& options,
+                  const Eigen::VectorXd& displacement, Ledger& ledger) {
+  Ledger::Visit visit(ledger, "results", "fields");
+  const FieldGeometry geometry = field_geometry(body, [&](int polygon, const sbfem::Boundary& boundary) {
+    return polygon_loads(scene, body, polygon, boundary);
+  });
+  results::FieldFile file(options.output / field_file_name);
+  file.begin_mesh(geometry.mesh);
+  file.append(0.0, {.point_data = {vector_field(geometry, "displacement", displacement)},
+                    .cell_data = {stress_field(geometry, displacement)}});
+  file.commit();
+  visit.add_entries(3 * geometry.mesh.point_count() + 6 * geometry.mesh.polygon_count());
+}
+
 std::string stopping_reason(const Body& body, const StaticSolution& solution) {
   if (solution.status == numerics::FactorStatus::too_large) {
     return "stopped: the factor of the stiffness matrix does not fit into memory or 32-bit indices; use a larger "
@@ -122,6 +137,10 @@ void run_static(const scene::Scene& scene, const Body& body, const RunOptions& o
   if (!scene.cracks.empty()) {
     const Ledger::Visit visit(ledger, "fracture", "tips");
     add_cracks(scene, body, formation, u, summary);
+  }
+  if (wants_fields(scene)) {
+    report("fields", 0.95);
+    write_fields(scene, body, options, u, ledger);
   }
 }
 
