@@ -34,8 +34,8 @@ const std::vector<AnalysisNeeds>& analyses() {
        {"material", "dynamics"},
        {"geometry", "mesh", "region", "crack", "fracture", "support", "load", "gravity", "reservoir", "foundation",
         "contact", "crack_water", "propagation", "ground_motion", "output"}},
-      {Analysis::crack_water, "crack-water", {"crack_line", "crack_water"}, {"output"}},
-      {Analysis::response, "response", {"response"}, {"reservoir", "foundation", "output"}},
+      {Analysis::crack_water, "crack-water", {"crack_line", "crack_water"}, {}},
+      {Analysis::response, "response", {"response"}, {"reservoir", "foundation"}},
   };
   return all;
 }

@@ -138,7 +138,9 @@ Table<Response> response_table() {
 Table<Output> output_table() {
   return {"output",
           "[output]",
-          "fields for pictures; absent: the summary and the history only",
+          "fields for pictures in results.h5 (a static analysis has one snapshot, modal one a mode); absent: the "
+          "summary and "
+          "the history only",
           {key(&Output::fields_every,
                {.name = "fields_every", .range = at_least(0), .meaning = "steps between field snapshots; 0: none"})}};
 }

@@ -18,7 +18,6 @@ inline constexpr std::array unbuilt_tables = {
     std::string_view("ground_motion"),  //
     std::string_view("dynamics"),       //
     std::string_view("response"),       //
-    std::string_view("output"),         //
 };
 
 inline constexpr std::array unbuilt_analyses = {
