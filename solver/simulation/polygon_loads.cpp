@@ -47,7 +47,7 @@ std::vector<sbfem::RadialLoad> polygon_loads(const scene::Scene& scene, const Bo
                                              const sbfem::Boundary& boundary) {
   std::vector<sbfem::RadialLoad> loads;
   const mesh::NodalPolygon polygon = body.nodes.polygon(index);
-  if (scene.gravity) {
+  if (scene.gravity && polygon.material != body.rock) {  // the rock has settled long before the dam was built
     const double weight = body.materials[polygon.material].density * scene.gravity->acceleration;
     loads.push_back(sbfem::body_force(boundary, Eigen::Vector2d(0.0, -weight)));
   }
@@ -66,7 +66,8 @@ InteriorLoads interior_loads(const scene::Scene& scene, const Body& body, const 
                              numerics::ThreadPool& pool) {
   std::vector<int> loaded;
   for (int i = 0; i < body.nodes.polygon_count(); ++i) {
-    if (scene.gravity || body.nodes.polygon(i).open) loaded.push_back(i);
+    const mesh::NodalPolygon polygon = body.nodes.polygon(i);
+    if ((scene.gravity && polygon.material != body.rock) || polygon.open) loaded.push_back(i);
   }
   std::vector<PolygonShare> shares(loaded.size());
   pool.parallel_for(static_cast<int>(loaded.size()), [&](int i) {
