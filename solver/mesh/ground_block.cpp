@@ -86,6 +86,12 @@ void add_missing(PolygonMesh& mesh, std::size_t first, std::size_t last, const s
   }
 }
 
+void check(const GroundBlock& block) {
+  if (block.width > 0.0 && block.depth > 0.0 && block.size > 0.0) return;
+  throw std::invalid_argument("near field: width, depth and size = " + number(block.width) + ", " +
+                              number(block.depth) + ", " + number(block.size) + ", accepted is > 0");
+}
+
 }  // namespace
 
 LevelBase level_base(const PolygonMesh& mesh, const std::string& boundary) {
@@ -113,10 +119,7 @@ LevelBase level_base(const PolygonMesh& mesh, const std::string& boundary) {
 }
 
 void append_block(PolygonMesh& mesh, const std::string& boundary, const GroundBlock& block) {
-  if (!(block.width > 0.0 && block.depth > 0.0 && block.size > 0.0)) {
-    throw std::invalid_argument("near field: width, depth and size = " + number(block.width) + ", " +
-                                number(block.depth) + ", " + number(block.size) + ", accepted is > 0");
-  }
+  check(block);
   const LevelBase base = level_base(mesh, boundary);
   const std::vector<int> above = line_of(mesh, boundary);
   const PolygonMesh below = block_mesh(mesh, above, base, block);
@@ -155,6 +158,24 @@ void append_block(PolygonMesh& mesh, const std::string& boundary, const GroundBl
   std::vector<Edge>& interface = mesh.boundaries[block_interface];
   for (Edge edge : below.boundaries.at(block_interface)) interface.push_back({number_of[edge[0]], number_of[edge[1]]});
   check_mesh(mesh);
+}
+
+PolygonMesh block_below_strip(double half_width, const GroundBlock& block, double strip_size, double end_size) {
+  check(block);
+  if (!(half_width > 0.0 && strip_size > 0.0 && end_size > 0.0)) {
+    throw std::invalid_argument("strip: half_width, strip_size and end_size = " + number(half_width) + ", " +
+                                number(strip_size) + ", " + number(end_size) + ", accepted is > 0");
+  }
+  const double x = half_width + block.width;
+  Outline outline;
+  outline.vertices = {{-x, 0}, {-x, -block.depth}, {x, -block.depth}, {x, 0}, {half_width, 0}, {-half_width, 0}};
+  outline.boundaries = {{block_interface, {0, 1, 2}}, {"strip", {4}}};
+  SizeField size{.size = block.size};
+  size.lines.push_back({.path = {outline.vertices[4], outline.vertices[5]}, .radius = 0.0, .size = strip_size});
+  for (const int end : {4, 5}) {
+    size.refinements.push_back({.centre = outline.vertices[end], .radius = 0.0, .size = end_size});
+  }
+  return dual_mesh(outline, {.size = size, .max_polygons = block.max_polygons});
 }
 
 }  // namespace sunder::mesh

@@ -38,4 +38,9 @@ LevelBase level_base(const PolygonMesh& mesh, const std::string& boundary);
 /// 0.
 void append_block(PolygonMesh& mesh, const std::string& boundary, const GroundBlock& block);
 
+/// The block alone, below a strip -half_width … half_width of the surface y = 0, which becomes the boundary "strip".
+/// Polygons have the size `strip_size` [m] below the strip and `end_size` at its two ends, where stresses of a rigid
+/// strip are singular. Throws as append_block().
+PolygonMesh block_below_strip(double half_width, const GroundBlock& block, double strip_size, double end_size);
+
 }  // namespace sunder::mesh
