@@ -186,6 +186,26 @@ void check_held(const Node& document, const Scene& scene, Findings& findings) {
                "the supports leave " + motion + " free; accepted: supports against every rigid motion");
 }
 
+/// The dam's base becomes a line inside the body: nothing else can act on it.
+void check_founded_boundary(const Node& document, const Scene& scene, Findings& findings) {
+  const std::string& base = scene.foundation->boundary;
+  const auto refuse = [&](const Node& table, const std::string& path, const std::string& given, const char* what) {
+    if (given != base) return;
+    findings.add(table.find("boundary")->origin, path + ".boundary",
+                 "\"" + base + "\" stands on [foundation], so it cannot also be " + what +
+                     "; accepted: another boundary, or no [foundation]");
+  };
+  for (std::size_t i = 0; i < scene.supports.size(); ++i) {
+    const Node& table = element(document, "support", i);
+    if (table.has("boundary"))
+      refuse(table, "support[" + std::to_string(i) + "]", scene.supports[i].boundary, "supported");
+  }
+  for (std::size_t i = 0; i < scene.loads.size(); ++i)
+    refuse(element(document, "load", i), "load[" + std::to_string(i) + "]", scene.loads[i].boundary, "loaded");
+  if (scene.reservoir && document.find("reservoir")->has("boundary"))
+    refuse(*document.find("reservoir"), "reservoir", scene.reservoir->boundary, "a wet face");
+}
+
 /// Reservoir and foundation have a boundary of the body, or, alone, a size of their own.
 void check_unbounded(const Node& document, const Scene& scene, Findings& findings) {
   const bool alone = scene.analysis == Analysis::response;
@@ -257,6 +277,7 @@ void check_together(const Node& document, const Scene& scene, Findings& findings
   check_boundaries(document, scene, findings);
   check_density(document, scene, findings);
   check_propagation(document, scene, findings);
+  if (scene.foundation) check_founded_boundary(document, scene, findings);
   if (scene.analysis == Analysis::static_ && findings.count() == before) check_held(document, scene, findings);
 }
 

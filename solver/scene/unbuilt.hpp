@@ -11,7 +11,6 @@ namespace sunder::scene {
 
 inline constexpr std::array unbuilt_tables = {
     std::string_view("reservoir"),      //
-    std::string_view("foundation"),     //
     std::string_view("contact"),        //
     std::string_view("crack_water"),    //
     std::string_view("propagation"),    //

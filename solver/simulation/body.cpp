@@ -5,6 +5,7 @@
 
 #include "solver/crack/insert_crack.hpp"
 #include "solver/mesh/divide.hpp"
+#include "solver/mesh/ground_block.hpp"
 #include "solver/mesh/msh_file.hpp"
 
 #include "solver/mesh/sources.hpp"
@@ -93,6 +94,27 @@ void assign_materials(const scene::Scene& scene, mesh::PolygonMesh& polygons) {
   }
 }
 
+material::Isotropic rock_of(const scene::Scene& scene) {
+  const scene::Foundation& foundation = *scene.foundation;
+  material::Isotropic rock{.youngs_modulus = foundation.youngs_modulus,
+                           .poisson_ratio = foundation.poisson_ratio,
+                           .density = foundation.density};
+  // Modes of a block of rock with inertia would be those of its own size, not of the dam.
+  if (scene.analysis == scene::Analysis::modal) rock.density = 0.0;
+  return rock;
+}
+
+void append_near_field(const scene::Scene& scene, int material, mesh::PolygonMesh& polygons) {
+  const scene::NearField given = scene.foundation->near_field.value_or(scene::NearField{});
+  const double base = mesh::level_base(polygons, scene.foundation->boundary).length();
+  mesh::append_block(polygons, scene.foundation->boundary,
+                     {.width = given.width.value_or(0.25 * base),
+                      .depth = given.depth.value_or(0.25 * base),
+                      .size = given.size.value_or(0.125 * base),
+                      .material = material,
+                      .max_polygons = scene.mesh.max_polygons});
+}
+
 crack::CutOptions cut_options(const scene::Scene& scene) {
   crack::CutOptions options;
   if (scene.mesh.cells == scene::Cells::one && !scene.mesh.list && !scene.mesh.file) {
@@ -118,6 +140,11 @@ Body build_body(const scene::Scene& scene, Ledger& ledger) {
     body.polygons = uncracked_mesh(scene);
     assign_materials(scene, body.polygons);
   }
+  if (scene.foundation) {
+    const Ledger::Visit visit(ledger, "foundation", "mesh");
+    body.rock = static_cast<int>(scene.regions.size()) + 1;
+    append_near_field(scene, body.rock, body.polygons);
+  }
   body.discretisation = {.cut = cut_options(scene),
                          .order = scene.mesh.order,
                          .tip_order = tip_order(scene.mesh),
@@ -134,6 +161,7 @@ Body build_body(const scene::Scene& scene, Ledger& ledger) {
   }
   if (scene.material) body.materials.push_back(*scene.material);
   for (const scene::Region& region : scene.regions) body.materials.push_back(region.material);
+  if (scene.foundation) body.materials.push_back(rock_of(scene));
   return body;
 }
 

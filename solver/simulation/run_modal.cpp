@@ -17,6 +17,7 @@ void add_bubbles(const Body& body, const sbfem::Formation& formation, int interi
                  VibratingBody& vibrating) {
   std::vector<sbfem::RadialBubbles> bubbles(body.nodes.polygon_count());
   pool.parallel_for(body.nodes.polygon_count(), [&](int index) {
+    if (body.materials[body.nodes.polygon(index).material].density == 0.0) return;  // massless rock
     const sbfem::Coefficients coefficients =
         sbfem::coefficients(sbfem::boundary_of(body.nodes, index), body.materials[body.nodes.polygon(index).material]);
     const sbfem::PolygonSolution solution = sbfem::solution_of_stiffness(coefficients, formation.stiffness(index));
