@@ -18,18 +18,10 @@
 
 namespace sunder::simulation {
 
-/// Pressure of the water at a crack's mouth, p = resting + weights · R with R the forces of a medium [N/m].
-struct Mouth {
-  bool wet = false;
-  double resting = 0.0;     ///< [Pa]
-  std::size_t medium = 0;   ///< index of the medium
-  Eigen::VectorXd weights;  ///< (n) [1/m]; empty: the reservoir is at rest
-};
-
 struct DynamicBody {
   Body body;
   sbfem::Formation formation;
-  Supports supports;
+  Supports supports{.constraints = Constraints(0), .dofs = {}};
   Eigen::SparseMatrix<double> stiffness, mass;  ///< lower triangles (dofs, dofs)
   Eigen::VectorXd dead_load;                    ///< (dofs) [N/m] weight, standing water, other constant loads
   std::vector<CrackFaceLoads> cracks;           ///< one a tip
