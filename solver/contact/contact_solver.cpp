@@ -173,8 +173,8 @@ MinimumStatus ContactSolver::solve_at_stiffness() noexcept {
 MinimumStatus ContactSolver::settle_friction() noexcept {
   double share = 1.0, before = std::numeric_limits<double>::infinity();
   for (int i = 0; i < options_.friction_iterations; ++i) {
-    upper_.tail(n_) = bound_;
-    lower_.tail(n_) = -bound_;
+    upper_.tail(n_) = (planted_fault("contact/friction-not-bounded") ? 10.0 : 1.0) * bound_;
+    lower_.tail(n_) = -upper_.tail(n_);
     const MinimumReport report = minimum_.solve(load_, lower_, upper_);
     result_.iterations += report.pivots;
     ++result_.friction_iterations;

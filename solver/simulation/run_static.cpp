@@ -1,4 +1,5 @@
 #include <complex>
+#include <optional>
 #include <string>
 
 #include "solver/fracture/kink_angle.hpp"
@@ -6,6 +7,8 @@
 #include "solver/sbfem/formation.hpp"
 #include "solver/simulation/analyses.hpp"
 #include "solver/simulation/polygon_loads.hpp"
+#include "solver/simulation/standing_water.hpp"
+#include "solver/simulation/static_contact.hpp"
 #include "solver/simulation/static_loads.hpp"
 #include "solver/simulation/static_solution.hpp"
 #include "solver/simulation/tips.hpp"
@@ -66,6 +69,14 @@ void add_cracks(const scene::Scene& scene, const Body& body, const sbfem::Format
   summary.quantities["crack_mouth_opening"] = openings.size() == 1 ? Quantity(openings.front()) : Quantity(openings);
 }
 
+void warn_of_dry_cracks(const scene::Scene& scene, const Body& body, results::RunSummary& summary) {
+  for (int tip = 0; tip < static_cast<int>(body.polygons.cracks.size()); ++tip) {
+    if (resting_water(scene, body, tip)) return;
+  }
+  summary.warnings.push_back(
+      "[crack_water] presses on no crack: no mouth lies on the reservoir's boundary below its level");
+}
+
 std::string stopping_reason(const Body& body, const StaticSolution& solution) {
   if (solution.status == numerics::FactorStatus::too_large) {
     return "stopped: the factor of the stiffness matrix does not fit into memory or 32-bit indices; use a larger "
@@ -101,13 +112,23 @@ void run_static(const scene::Scene& scene, const Body& body, const RunOptions& o
   }
 
   report("solution", 0.5);
-  const StaticSolution solution = [&] {
+  std::optional<StaticContact> touching;
+  StaticSolution solution;
+  {
     Ledger::Visit visit(ledger, "numerics", "solution");
-    StaticSolution result = solve_static(stiffness, force, supports.constraints);
-    visit.add_entries(result.factor_entries);
-    return result;
-  }();
-  ledger.count("factorisations");
+    const StaticEquations equations(stiffness, supports.constraints);
+    ledger.count("factorisations");
+    visit.add_entries(equations.factor().entries());
+    if (scene.contact && equations.ready()) {
+      Ledger::Visit contact(ledger, "contact", "contact");
+      touching = solve_with_contact(*scene.contact, body, equations, force);
+      contact.add_entries(touching->matrix_entries);
+      ledger.count("contact iterations", touching->contact.iterations);
+      solution = touching->solution;
+    } else {
+      solution = equations.solve(force);
+    }
+  }
   if (solution.status != numerics::FactorStatus::factorised) {
     summary.status = stopping_reason(body, solution);
     return;
@@ -119,6 +140,11 @@ void run_static(const scene::Scene& scene, const Body& body, const RunOptions& o
   summary.quantities["max_displacement"] = std::sqrt(u.reshaped(2, u.size() / 2).colwise().squaredNorm().maxCoeff());
   summary.quantities["residual"] = solution.residual;
   summary.quantities["reactions"] = reactions(scene, supports, solution.reaction);
+  if (touching) {
+    summary.quantities["contact"] = contact_quantity(*touching);
+    if (!touching->holds()) summary.status = "stopped: contact of the crack faces: " + touching->reason();
+  }
+  if (scene.crack_water) warn_of_dry_cracks(scene, body, summary);
   if (!scene.cracks.empty()) {
     const Ledger::Visit visit(ledger, "fracture", "tips");
     add_cracks(scene, body, formation, u, summary);

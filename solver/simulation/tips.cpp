@@ -22,6 +22,7 @@ std::vector<TipResult> tip_results(const scene::Scene& scene, const Body& body, 
   std::vector<TipResult> results;
   for (std::size_t tip = 0; tip < body.polygons.cracks.size(); ++tip) {
     const int index = body.polygons.cracks[tip].tip_polygon;
+    if (index < 0) continue;  // has come out at a face
     const mesh::NodalPolygon polygon = body.nodes.polygon(index);
     const material::Isotropic& material = body.materials[polygon.material];
     const sbfem::Boundary boundary = sbfem::boundary_of(body.nodes, index);

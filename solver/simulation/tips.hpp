@@ -20,7 +20,8 @@ struct TipResult {
   fracture::TipStatus status = fracture::TipStatus::ready;
 };
 
-/// One a tip, in the order of the scene. `formation`: of the body's polygons; `displacement` (dofs) [m].
+/// One a tip, in the order of the scene; a crack that has come out at a face has none. `formation`: of the body's
+/// polygons; `displacement` (dofs) [m].
 [[nodiscard]] std::vector<TipResult> tip_results(const scene::Scene& scene, const Body& body,
                                                  const sbfem::Formation& formation,
                                                  const Eigen::VectorXd& displacement);
