@@ -2,7 +2,7 @@
 /// Cholesky factor of the rows and columns of a symmetric matrix that belong to a changing set of unknowns.
 ///
 /// One unknown enters or leaves in O(m²) operations, m the size of the set: an entering one appends a row, a leaving
-/// one turns the rows behind it back to a triangle [Golub & Van Loan 2013, §6.5.4]. Both are backward stable.
+/// one turns the rows behind it back to a triangle [Golub 2013, §6.5.4]. Both are backward stable.
 
 #include <Eigen/Core>
 #include <span>

@@ -155,8 +155,7 @@ TEST(StaticContact, FrictionThatHoldsMakesTheCutBodyWhole) {
   std::string whole = two_bars;
   whole.erase(whole.find("[[crack]]"), whole.find("[[support]]") - whole.find("[[crack]]"));
   whole.erase(whole.find("[contact]"));
-  const results::RunSummary uncut =
-      run_text(whole, {drag[0], drag[1], {"mesh.size", "0.25"}, {"mesh.order", "3"}});
+  const results::RunSummary uncut = run_text(whole, {drag[0], drag[1], {"mesh.size", "0.25"}, {"mesh.order", "3"}});
   for (const char* path : {"reactions[2].force[0]", "reactions[2].force[1]"}) {
     EXPECT_NEAR(number(cut, path) / number(uncut, path), 1.0, 2e-3) << path;
   }
