@@ -26,4 +26,8 @@ StudyOutput run_one_polygon(const StudyInput& input);
 /// decimal digits that stiffness and mass keep.
 StudyOutput run_jitter(const StudyInput& input);
 
+/// "contact-history": the faces of one crack under a history of loads, solved warm: difference of the forces from exact
+/// contact by another method, largest penetration, restless states.
+StudyOutput run_contact_history(const StudyInput& input);
+
 }  // namespace sunder::verification
