@@ -66,11 +66,12 @@ PressureSolver::PressureSolver(const CrackLine& line, const Water& water, const 
 
 const PressureProfile& PressureSolver::solve(std::span<const double> apertures, std::span<const double> rates,
                                              const MouthPressures& mouths) noexcept {
-  if (!table_.fill(apertures, rates)) {
-    reset({nan, {}});
-    return profile_;
-  }
-  return solve_filled(mouths);
+  return table_.fill(apertures, rates) ? solve_filled(mouths) : give_nothing();
+}
+
+const PressureProfile& PressureSolver::give_nothing() noexcept {
+  (void)reset({nan, {}});
+  return profile_;
 }
 
 bool PressureSolver::reset(const MouthPressures& mouths) {
@@ -84,6 +85,7 @@ bool PressureSolver::reset(const MouthPressures& mouths) {
   p.cavitated = p.at_regime_jump = false;
   p.residual_evaluations = 0;
   p.gradient_evaluations = 0;
+  mouths_ = mouths;
   open_ = mouths.downstream.has_value();
   upstream_ = std::max(mouths.upstream, 0.0);
   downstream_ = open_ ? std::max(*mouths.downstream, 0.0) : 0.0;
@@ -166,11 +168,28 @@ PressureSolver::Region PressureSolver::find(numerics::RootFunction residual, dou
   options.method = method_of(options_.search);
   options.max_evaluations = options_.max_evaluations;
   options.guess = guess_;
-  const bool to_round_off = options_.relative_tolerance == 0.0;
+  bool to_round_off = options_.relative_tolerance == 0.0;
   if (!to_round_off) options.relative_tolerance = options_.relative_tolerance;
   Region region;
   const bool prefix = use_prefix_;
   numerics::BracketedRoot root = bracketed_root(residual, lower, upper, options);
+  if (!to_round_off && root.status == numerics::RootStatus::bracket_within_tolerance) {
+    // Of the two ends the one with p ≥ 0 everywhere: the other would cavitate where the sought profile does not.
+    use_prefix_ = false;
+    const Residual low = residual(root.lower, false);
+    use_prefix_ = prefix;
+    // A loss grows no faster than the square of the flux: a smooth residual is smaller than this.
+    const double smooth = options_.relative_tolerance * low.floor / epsilon;
+    if (low.value >= -low.floor && low.value <= smooth) {
+      region.constant = region.constant_beyond = root.lower;
+      profile_.residual = std::max(profile_.residual, std::abs(low.value));
+      return region;
+    }
+    // It jumps inside the bracket, and only round-off tells where.
+    options.relative_tolerance = numerics::RootOptions{}.relative_tolerance;
+    root = bracketed_root(residual, lower, upper, options);
+    to_round_off = true;
+  }
   if (prefix) {  // confirm by sweeps what the prefix sums found
     use_prefix_ = false;
     const double found = root.root;

@@ -107,24 +107,29 @@ StretchTangent stretch_tangent(const Segment& segment, const FlowLaw& law, doubl
   return t;
 }
 
-/// The midpoint rule's; its nodal forces follow from the nodal pressures.
+/// Of a flat table; its nodal forces follow from the nodal pressures.
 StretchTangent flat_tangent(const SegmentTable& table, int i, double c) {
   StretchTangent t;
   const Segment segment = table.segment(i);
   const double h = segment.length, a0 = table.loss_coefficient(i), d = c - segment.middle;
-  const double wm = 0.5 * (segment.first + segment.last);
+  const double w0 = segment.first, w1 = segment.last, total = w0 + w1;
   t.by_flux[0] = resistance_slope(table.law(), d) * a0;
-  t.by_rate0[0] = -change_by_first(h, 0.0) * t.by_flux[0];
-  t.by_rate1[0] = -change_by_last(h, 0.0) * t.by_flux[0];
   t.value[0] = resistance(table.law(), d) * a0;
-  t.by_aperture0[0] = t.by_aperture1[0] = -1.5 / wm * t.value[0];
+  if (table.marching()) {  // a0 = h (w0 + w1) / (2 w0² w1²)
+    t.by_aperture0[0] = t.value[0] * (1.0 / total - 2.0 / w0);
+    t.by_aperture1[0] = t.value[0] * (1.0 / total - 2.0 / w1);
+  } else {  // a0 = h / w_m³
+    t.by_rate0[0] = -change_by_first(h, 0.0) * t.by_flux[0];
+    t.by_rate1[0] = -change_by_last(h, 0.0) * t.by_flux[0];
+    t.by_aperture0[0] = t.by_aperture1[0] = -3.0 / total * t.value[0];
+  }
   return t;
 }
 
 class Differentiation {
  public:
   Differentiation(const PressureSolver& solver, PressureTangent& tangent)
-      : table_(solver.table()), tangent_(tangent), nodes_(table_.count() + 1) {}
+      : solver_(solver), table_(solver.table()), tangent_(tangent), nodes_(table_.count() + 1) {}
 
   void region(const PressureSolver::Region& region) {
     constant_change(region);
@@ -148,14 +153,13 @@ class Differentiation {
   void constant_change(const PressureSolver::Region& region) {
     tangent_.constant.setZero();
     if (region.closed) {
-      for (int i = 0; i < table_.count(); ++i) {
-        tangent_.constant[rate_column(i)] += 0.5 * table_.length(i);
-        tangent_.constant[rate_column(i + 1)] += 0.5 * table_.length(i);
-      }
+      begin_change(tangent_.constant);
+      for (int i = 0; i < table_.count(); ++i) add_change(i, tangent_.constant);
       return;
     }
     const double by_constant = walk(region, false);
-    if (region.to_mouth) tangent_.running[upstream_column() + 1] -= 1.0;  // δp(end) = δp_down
+    if (region.to_mouth && !(*solver_.mouths().downstream < 0.0))
+      tangent_.running[upstream_column() + 1] -= 1.0;  // δp(end) = δp_down
     tangent_.constant = tangent_.running / by_constant;
   }
 
@@ -163,24 +167,33 @@ class Differentiation {
   double walk(const PressureSolver::Region& region, bool store) {
     PressureTangent& t = tangent_;
     t.running.setZero();
-    t.change.setZero();
+    begin_change(t.change);
     const bool at_mouth = region.start.segment == 0 && region.start.y == -1.0;
-    if (at_mouth) t.running[upstream_column()] = 1.0;
-    for (int i = 0; i < region.start.segment; ++i) add_change(i);
+    if (at_mouth && !(solver_.mouths().upstream < 0.0)) t.running[upstream_column()] = 1.0;
+    for (int i = 0; i < region.start.segment; ++i) add_change(i, t.change);
     if (store && region.start.y == -1.0) t.pressure.row(region.start.segment) += t.running;
     double by_constant = 0.0;
     for (int i = region.start.segment; i <= region.end.segment; ++i) {
       const double from = i == region.start.segment ? region.start.y : -1.0;
       const double to = i == region.end.segment ? region.end.y : 1.0;
       if (to > from) by_constant += step(region, i, from, to, store);
-      add_change(i);
+      add_change(i, t.change);
     }
     return by_constant;
   }
 
-  void add_change(int i) {
-    tangent_.change[rate_column(i)] += 0.5 * table_.length(i);
-    tangent_.change[rate_column(i + 1)] += 0.5 * table_.length(i);
+  /// ∂V at the first node; in a march, where the columns of rates stand for R, ∂V in the first segment.
+  void begin_change(Eigen::RowVectorXd& change) const {
+    change.setZero();
+    if (table_.marching()) change[rate_column(0)] = 1.0;
+  }
+  void add_change(int i, Eigen::RowVectorXd& change) const {
+    if (table_.marching()) {
+      change[rate_column(i + 1)] += 1.0;
+      return;
+    }
+    change[rate_column(i)] += 0.5 * table_.length(i);
+    change[rate_column(i + 1)] += 0.5 * table_.length(i);
   }
 
   double step(const PressureSolver::Region& region, int i, double from, double to, bool store) {
@@ -219,6 +232,7 @@ class Differentiation {
     return by_constant[0];
   }
 
+  const PressureSolver& solver_;
   const SegmentTable& table_;
   PressureTangent& tangent_;
   int nodes_;
@@ -236,6 +250,31 @@ void differentiate(const PressureSolver& solver, PressureTangent& tangent) {
     if (table.position(region.end) > table.position(region.start)) differentiation.region(region);
   }
   if (table.flat()) differentiation.trapezoid();
+}
+
+namespace {
+
+/// From ∂/∂w and ∂/∂R to the whole ∂/∂w: R = (void + C(w) - C before)/Δt.
+void fold_capacities(const SegmentTable& table, double time_step, Eigen::MatrixXd& derivatives) {
+  const int n = table.count(), nodes = n + 1;
+  const double sixth = 1.0 / (6.0 * time_step);
+  for (int j = 0; j < nodes; ++j) {
+    const double before = j > 0 ? sixth * table.length(j - 1) : 0.0, after = j < n ? sixth * table.length(j) : 0.0;
+    auto column = derivatives.col(j);
+    column += 2.0 * (before + after) * derivatives.col(nodes + j);
+    if (j > 0) column += before * derivatives.col(nodes + j - 1);
+    if (j < n) column += after * derivatives.col(nodes + j + 1);
+  }
+  derivatives.middleCols(nodes, nodes).setZero();
+}
+
+}  // namespace
+
+void differentiate(const FillingMarch& march, PressureTangent& tangent) {
+  differentiate(march.solver(), tangent);
+  if (march.profile().status == ProfileStatus::unusable_input) return;
+  fold_capacities(march.solver().table(), march.trial_time_step(), tangent.pressure);
+  fold_capacities(march.solver().table(), march.trial_time_step(), tangent.nodal_force);
 }
 
 }  // namespace sunder::crackwater

@@ -13,6 +13,7 @@
 
 #include <Eigen/Core>
 
+#include "solver/crackwater/filling_march.hpp"
 #include "solver/crackwater/pressure_profile.hpp"
 
 namespace sunder::crackwater {
@@ -30,5 +31,9 @@ struct PressureTangent {
 /// The tangent of the last `solve` of `solver`; allocates nothing. Zero after a solve with unusable input and after
 /// `uniform`, whose pressure does not follow the faces.
 void differentiate(const PressureSolver& solver, PressureTangent& tangent);
+
+/// The tangent of the last trial of `march` with respect to the apertures at the end of the step, which also set how
+/// much water must move; the columns of rates are zero. Allocates nothing.
+void differentiate(const FillingMarch& march, PressureTangent& tangent);
 
 }  // namespace sunder::crackwater

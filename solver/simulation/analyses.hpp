@@ -13,6 +13,10 @@ namespace sunder::simulation {
 void run_static(const scene::Scene& scene, const Body& body, const RunOptions& options, numerics::ThreadPool& pool,
                 Ledger& ledger, results::RunSummary& summary);
 
+/// Cracks that grow at rest. Throws scene::SceneError where the increment is larger than the body.
+void run_propagation(const scene::Scene& scene, const Body& body, const RunOptions& options, numerics::ThreadPool& pool,
+                     Ledger& ledger, results::RunSummary& summary);
+
 void run_modal(const scene::Scene& scene, const Body& body, const RunOptions& options, numerics::ThreadPool& pool,
                Ledger& ledger, results::RunSummary& summary);
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include "solver/mesh/ground_block.hpp"
 #include "solver/numerics/quadrature.hpp"
 #include "solver/scene/scene_error.hpp"
 
@@ -80,10 +81,12 @@ VectorXd water_on_edge(const Eigen::Matrix2Xd& nodes, double level, double weigh
   return force;
 }
 
-/// Distance of each pair of the faces from the tip over the length of the crack (inner: of this half), mouth first.
+/// Distance of each pair of the faces from the tip, or from where the crack has ended, over the length of the crack
+/// (inner: of this half), mouth first.
 std::vector<double> distance_from_tip(const mesh::PolygonMesh& mesh, const mesh::CrackFaces& faces) {
   std::vector<double> distance(faces.lower.size());
-  double from_tip = (mesh.vertices[faces.lower.back()] - mesh.polygons[faces.tip_polygon].scaling_centre).norm();
+  const Point& last = mesh.vertices[faces.lower.back()];
+  double from_tip = faces.tip_polygon < 0 ? 0.0 : (last - mesh.polygons[faces.tip_polygon].scaling_centre).norm();
   for (std::size_t i = faces.lower.size(); i-- > 0;) {
     distance[i] = from_tip;
     if (i > 0) from_tip += (mesh.vertices[faces.lower[i]] - mesh.vertices[faces.lower[i - 1]]).norm();
@@ -109,8 +112,14 @@ void add_face(const Body& body, const std::vector<int>& chain, const std::vector
 
 }  // namespace
 
-Supports supports_of(const scene::Scene& scene, const Body& body, bool may_float) {
+Supports supports_of(const scene::Scene& scene, const Body& body, bool may_float, bool rock_moves) {
   Supports supports{.constraints = Constraints(body.dofs()), .dofs = {}};
+  if (body.rock >= 0 && !rock_moves) {
+    for (const int node : boundary_nodes(body, mesh::block_interface)) {
+      supports.constraints.prescribe(2 * node, 0.0);
+      supports.constraints.prescribe(2 * node + 1, 0.0);
+    }
+  }
   std::vector<int> holder(body.dofs(), -1);
   for (std::size_t i = 0; i < scene.supports.size(); ++i) {
     const scene::Support& support = scene.supports[i];
