@@ -10,18 +10,15 @@
 namespace sunder::scene {
 
 inline constexpr std::array unbuilt_tables = {
-    std::string_view("reservoir"),      //
     std::string_view("contact"),        //
     std::string_view("crack_water"),    //
     std::string_view("propagation"),    //
     std::string_view("ground_motion"),  //
     std::string_view("dynamics"),       //
-    std::string_view("response"),       //
 };
 
 inline constexpr std::array unbuilt_analyses = {
     Analysis::dynamic,
-    Analysis::response,
 };
 
 /// A table of the list above that is built in this one analysis.

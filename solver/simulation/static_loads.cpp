@@ -154,6 +154,14 @@ VectorXd boundary_forces(const scene::Scene& scene, const Body& body) {
       }
     }
   }
+  if (scene.reservoir) {
+    const scene::Reservoir& water = *scene.reservoir;
+    const double weight = water.density * scene.gravity.value_or(scene::Gravity{}).acceleration;
+    for (const PolygonEdge& place : find_edges(body.polygons, body.polygons.boundaries.at(water.boundary))) {
+      const std::vector<int> nodes = body.nodes.edge_nodes(place.polygon, place.edge);
+      scatter(nodes, water_on_edge(places(body, nodes), *water.level, weight), force);
+    }
+  }
   return force;
 }
 

@@ -24,7 +24,7 @@ struct Supports {
 [[nodiscard]] Supports supports_of(const scene::Scene& scene, const Body& body, bool may_float,
                                    bool rock_moves = false);
 
-/// Tractions and pressures on named boundaries (dofs) [N/m].
+/// Tractions and pressures on named boundaries, and the water of [reservoir] at rest (dofs) [N/m].
 [[nodiscard]] Eigen::VectorXd boundary_forces(const scene::Scene& scene, const Body& body);
 
 /// Pressure on the crack faces outside the tip polygons (dofs) [N/m].
