@@ -1,6 +1,7 @@
 #include "solver/simulation/body.hpp"
 
 #include <algorithm>
+#include <set>
 #include <unordered_map>
 
 #include "solver/crack/insert_crack.hpp"
@@ -109,6 +110,25 @@ int tip_order(const scene::Mesh& mesh) {
   return mesh.cells == scene::Cells::one ? mesh.order : mesh.order + 1;
 }
 
+/// A tip polygon next to a kink may have a stretch of its crack's own face on one side only. The edges opposite: both
+/// faces need the same nodes.
+std::vector<mesh::Edge> opposite_faces_of_tip_polygons(const mesh::PolygonMesh& mesh) {
+  std::set<mesh::Edge> of_tips;
+  for (const mesh::Polygon& polygon : mesh.polygons) {
+    if (!polygon.open) continue;
+    for (int e = 0; e < polygon.edge_count(); ++e) of_tips.insert(polygon.edge(e));
+  }
+  std::vector<mesh::Edge> opposite;
+  for (const mesh::CrackFaces& faces : mesh.cracks) {
+    for (std::size_t i = 0; i + 1 < faces.lower.size(); ++i) {
+      const mesh::Edge below{faces.lower[i + 1], faces.lower[i]}, above{faces.upper[i], faces.upper[i + 1]};
+      if (of_tips.contains(below)) opposite.push_back(above);
+      if (of_tips.contains(above)) opposite.push_back(below);
+    }
+  }
+  return opposite;
+}
+
 }  // namespace
 
 Body build_body(const scene::Scene& scene, Ledger& ledger) {
@@ -140,12 +160,18 @@ Body build_body(const scene::Scene& scene, Ledger& ledger) {
 void place_nodes(Body& body) {
   const Discretisation& rule = body.discretisation;
   if (rule.edge_size) mesh::divide_long_edges(body.polygons, {.size = *rule.edge_size});
-  body.nodes = mesh::place_nodes(body.polygons, [&](int polygon, int /*edge*/) {
-    return body.polygons.polygons[polygon].open ? rule.tip_order : rule.order;
+  std::set<std::pair<int, int>> raised;
+  for (const PolygonEdge& place : find_edges(body.polygons, opposite_faces_of_tip_polygons(body.polygons))) {
+    if (place.polygon >= 0) raised.emplace(place.polygon, place.edge);
+  }
+  body.nodes = mesh::place_nodes(body.polygons, [&](int polygon, int edge) {
+    const bool at_tip = body.polygons.polygons[polygon].open || raised.contains({polygon, edge});
+    return at_tip ? rule.tip_order : rule.order;
   });
 }
 
 std::vector<PolygonEdge> find_edges(const mesh::PolygonMesh& mesh, const std::vector<mesh::Edge>& edges) {
+  if (edges.empty()) return {};
   const auto key = [](const mesh::Edge& edge) {
     const auto [low, high] = std::minmax(edge[0], edge[1]);
     return (static_cast<unsigned long long>(low) << 32) | static_cast<unsigned>(high);
