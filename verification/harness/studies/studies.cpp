@@ -9,6 +9,7 @@ const Studies& studies() {
 #ifdef SUNDER_HAS_SIMULATION
       {"scene", run_scene},
       {"polynomial-patch", run_polynomial_patch},
+      {"state-transfer", run_state_transfer},
 #endif
   };
   return all;
