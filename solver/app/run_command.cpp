@@ -69,7 +69,8 @@ int run_command(const Arguments& arguments, const Console& console, const Solver
                 picture = mesh::picture(body.polygons, {.title = scene.name, .nodes = &body.nodes});
               }
             },
-        .stop = &watch.stop()};
+        .stop = &watch.stop(),
+        .output = folder};
     at_its_place(scene, [&] { summary = solver.run(scene, options); });
   }
   results::stop_if_not_finite(summary);

@@ -10,17 +10,6 @@
 
 namespace sunder::crackwater {
 
-namespace {
-
-/// sum += value, keeping what rounding drops in `rest` [Neumaier 1974].
-void add(double& sum, double& rest, double value) {
-  const double total = sum + value, part = total - sum;
-  rest += (sum - (total - part)) + (value - part);
-  sum = total;
-}
-
-}  // namespace
-
 FillingMarch::FillingMarch(const CrackLine& line, const Water& water, std::span<const double> apertures,
                            const MarchOptions& options)
     : water_(water), options_(options), solver_(line, water, {.search = options.search}) {
@@ -133,12 +122,13 @@ const MarchState& FillingMarch::accept() noexcept {
   }
   std::swap(state_.capacities, next_capacities_);
   state_.time += time_step_;
-  add(state_.inflow, inflow_rest_, time_step_ * upstream_flux_);
-  add(state_.outflow, outflow_rest_, time_step_ * downstream_flux_);
+  inflow_.add(time_step_ * upstream_flux_);
+  outflow_.add(time_step_ * downstream_flux_);
+  state_.inflow = inflow_.value();
+  state_.outflow = outflow_.value();
   state_.moved += time_step_ * (std::abs(upstream_flux_) + std::abs(downstream_flux_));
   state_.content = total_content();
-  state_.balance_error =
-      ((state_.content - first_content_) - (state_.inflow - state_.outflow)) - (inflow_rest_ - outflow_rest_);
+  state_.balance_error = (state_.content - first_content_) - (state_.inflow - state_.outflow);
   state_.residual_evaluations += profile.residual_evaluations;
   state_.gradient_evaluations += profile.gradient_evaluations;
   ++state_.steps;
@@ -211,7 +201,8 @@ void FillingMarch::carry_excess() {
   };
   std::for_each(state_.voids.begin(), state_.voids.end(), pass);
   std::for_each(state_.voids.rbegin(), state_.voids.rend(), pass);
-  add(state_.inflow, inflow_rest_, -excess);
+  inflow_.add(-excess);
+  state_.inflow = inflow_.value();
   state_.moved += excess;
 }
 

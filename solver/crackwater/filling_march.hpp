@@ -88,7 +88,8 @@ class FillingMarch {
   MarchState state_;
   std::vector<double> next_capacities_, changes_, rates_, flux_;
   std::vector<char> full_;
-  double inflow_rest_ = 0.0, outflow_rest_ = 0.0, first_content_ = 0.0;
+  numerics::CompensatedSum inflow_, outflow_;
+  double first_content_ = 0.0;
   double upstream_flux_ = 0.0, downstream_flux_ = 0.0;  // of the last accepted step
   double time_step_ = 0.0;
   bool tried_ = false;

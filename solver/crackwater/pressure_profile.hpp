@@ -32,6 +32,7 @@
 #include "solver/crackwater/flow_law.hpp"
 #include "solver/crackwater/segment_table.hpp"
 #include "solver/numerics/bracketed_root.hpp"
+#include "solver/numerics/compensated_sum.hpp"
 
 namespace sunder::crackwater {
 
@@ -95,8 +96,6 @@ struct PressureProfile {
 /// other than (n + 1), apertures not finite and > 0, rates not finite.
 void check(const CrackLine& line, std::span<const double> apertures, std::span<const double> rates);
 
-class CompensatedSum;
-
 /// Solves one crack again and again; holds all memory, so that a solve allocates nothing and throws nothing.
 class PressureSolver {
  public:
@@ -156,7 +155,7 @@ class PressureSolver {
   void mix(Region& region);
   void note_mixed_extremes(const Region& region);
   double lay(const Region& region, double c, double share);
-  void lay_block(int first, int last, double c, double share, CompensatedSum& pressure);
+  void lay_block(int first, int last, double c, double share, numerics::CompensatedSum& pressure);
   void lay_whole(int first, int last, double c, double share, double& pressure);
   struct Stretch;
   Stretch cut_stretch(int segment, double from, double to, double c) const;

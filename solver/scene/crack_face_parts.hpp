@@ -28,9 +28,15 @@ enum class CrackWaterModel {
   moving,   ///< flow with continuity and cavitation
 };
 
+enum class ApertureRule {
+  larger,  ///< of opening and minimum_aperture
+  sum,     ///< minimum_aperture is a roughness layer that the opening adds to
+};
+
 struct CrackWater {
   CrackWaterModel model = CrackWaterModel::moving;
-  double minimum_aperture = 0.03;   ///< [m], > 0
+  double minimum_aperture = 0.03;  ///< [m], > 0
+  ApertureRule aperture = ApertureRule::larger;
   double relative_roughness = 0.5;  ///< k / (2w) [-], > 0, <= 0.5
   double density = 1000.0;          ///< [kg/m³], > 0
   double dynamic_viscosity = 1e-3;  ///< [Pa s], > 0
@@ -58,6 +64,7 @@ struct March {
   double time_step;  ///< [s], > 0
   double duration;   ///< [s], > 0
   Filling initially = Filling::full;
+  int history_every = 1;  ///< steps from one row of the history to the next, >= 1
 };
 
 enum class Tip { open, closed };
@@ -73,11 +80,12 @@ enum class WaterSearch {
 
 /// A crack with given motion: `analysis = "crack-water"`.
 struct CrackLine {
-  double length;                          ///< [m], > 0
-  int segments;                           ///< >= 1
-  std::vector<double> aperture;           ///< [m], > 0; at both ends (linear between) or at each of segments + 1 nodes
+  double length;                 ///< [m], > 0
+  int segments;                  ///< >= 1
+  std::vector<double> aperture;  ///< opening [m], > 0; at both ends (linear between) or at each of segments + 1 nodes
   std::vector<double> opening_rate{0.0};  ///< [m/s]; one value everywhere, both ends, or each node
-  double upstream_head = 0.0;             ///< [m of water], >= 0
+  double rise = 0.0;           ///< height gained from the upstream mouth to the far end, evenly [m], |rise| <= length
+  double upstream_head = 0.0;  ///< [m of water], >= 0
   std::optional<double> downstream_head;  ///< [m of water], >= 0; absent where the tip is closed
   Tip tip = Tip::open;
   std::optional<March> march;  ///< absent: the profile of one instant

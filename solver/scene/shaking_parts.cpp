@@ -11,7 +11,7 @@ Table<Reservoir> reservoir_table() {
   return {
       "reservoir",
       "[reservoir]",
-      "water behind the dam",
+      "water behind the dam; in a static scene every model is standing water up to `level`",
       {key(&Reservoir::boundary, {.name = "boundary", .meaning = "wet face; with `level`"}),
        key(&Reservoir::level, {.name = "level", .unit = "m", .meaning = "y of the free surface"}),
        key(&Reservoir::depth, {.name = "depth",
@@ -20,9 +20,8 @@ Table<Reservoir> reservoir_table() {
                                .meaning = "analysis = \"response\", instead of boundary and level"}),
        key(&Reservoir::density, {.name = "density", .unit = "kg/m³", .range = positive(), .meaning = "of water"}),
        key(&Reservoir::sound_speed, {.name = "sound_speed", .unit = "m/s", .range = positive(), .meaning = "in water"}),
-       key(&Reservoir::reflection_coefficient, {.name = "reflection_coefficient",
-                                                .range = {.low = -1.0, .high = 1.0, .low_open = true},
-                                                .meaning = "of the bottom; 1: rigid"}),
+       key(&Reservoir::reflection_coefficient,
+           {.name = "reflection_coefficient", .range = between(0.0, 1.0), .meaning = "of the bottom; 1: rigid"}),
        choice(&Reservoir::model,
               Choices<ReservoirModel>{{"hydrostatic", ReservoirModel::hydrostatic},
                                       {"westergaard", ReservoirModel::westergaard},
@@ -38,7 +37,21 @@ Table<Reservoir> reservoir_table() {
       }};
 }
 
-Table<Foundation> foundation_table() {
+Table<NearField> near_field_table() {
+  const auto length = [](std::optional<double> NearField::*member, const char* name, const char* meaning,
+                         const char* otherwise) {
+    return key(member,
+               {.name = name, .unit = "m", .range = positive(), .meaning = meaning, .default_value = otherwise});
+  };
+  return {"foundation.near_field",
+          "near_field = { width, depth, size }",
+          "block of polygons between the base and the unbounded rock",
+          {length(&NearField::width, "width", "beside the base, on either side", "base / 4"),
+           length(&NearField::depth, "depth", "of the block", "base / 4"),
+           length(&NearField::size, "size", "of its polygons away from the base", "base / 8")}};
+}
+
+Table<Foundation> foundation_table(const std::shared_ptr<const Table<NearField>>& near_field) {
   return {
       "foundation",
       "[foundation]",
@@ -61,7 +74,9 @@ Table<Foundation> foundation_table() {
                                      .meaning = "analysis = \"response\": of the strip, or radius of the disc"}),
        choice(&Foundation::shape,
               Choices<FoundationShape>{{"strip", FoundationShape::strip}, {"disc", FoundationShape::disc}},
-              {.name = "shape", .meaning = "analysis = \"response\": what moves"})},
+              {.name = "shape", .meaning = "analysis = \"response\": what moves"}),
+       table_key(&Foundation::near_field, near_field,
+                 {.name = "near_field", .meaning = "block of polygons below the base"})},
       {}};
 }
 
@@ -138,7 +153,9 @@ Table<Response> response_table() {
 Table<Output> output_table() {
   return {"output",
           "[output]",
-          "fields for pictures; absent: the summary and the history only",
+          "fields for pictures in results.h5 (a static analysis has one snapshot, modal one a mode); absent: the "
+          "summary and "
+          "the history only",
           {key(&Output::fields_every,
                {.name = "fields_every", .range = at_least(0), .meaning = "steps between field snapshots; 0: none"})}};
 }
@@ -146,8 +163,9 @@ Table<Output> output_table() {
 }  // namespace
 
 std::vector<Part> shaking_parts() {
+  const auto near_field = std::make_shared<const Table<NearField>>(near_field_table());
   return {one_part<Reservoir>(&Scene::reservoir, reservoir_table()),
-          one_part<Foundation>(&Scene::foundation, foundation_table()),
+          one_part<Foundation>(&Scene::foundation, foundation_table(near_field), {reference_of(*near_field)}),
           one_part<GroundMotion>(&Scene::ground_motion, ground_motion_table()),
           one_part<Dynamics>(&Scene::dynamics, dynamics_table()),
           one_part<Response>(&Scene::response, response_table()),

@@ -4,8 +4,10 @@
 #include <set>
 #include <unordered_map>
 
+#include "solver/crack/advance_tip.hpp"
 #include "solver/crack/insert_crack.hpp"
 #include "solver/mesh/divide.hpp"
+#include "solver/mesh/ground_block.hpp"
 #include "solver/mesh/msh_file.hpp"
 
 #include "solver/mesh/sources.hpp"
@@ -94,6 +96,43 @@ void assign_materials(const scene::Scene& scene, mesh::PolygonMesh& polygons) {
   }
 }
 
+material::Isotropic rock_of(const scene::Scene& scene) {
+  const scene::Foundation& foundation = *scene.foundation;
+  material::Isotropic rock{.youngs_modulus = foundation.youngs_modulus,
+                           .poisson_ratio = foundation.poisson_ratio,
+                           .density = foundation.density};
+  // Modes of a block of rock with inertia would be those of its own size, not of the dam.
+  if (scene.analysis == scene::Analysis::modal) rock.density = 0.0;
+  return rock;
+}
+
+void append_near_field(const scene::Scene& scene, int material, mesh::PolygonMesh& polygons) {
+  const scene::NearField given = scene.foundation->near_field.value_or(scene::NearField{});
+  const double base = mesh::level_base(polygons, scene.foundation->boundary).length();
+  mesh::append_block(polygons, scene.foundation->boundary,
+                     {.width = given.width.value_or(0.25 * base),
+                      .depth = given.depth.value_or(0.25 * base),
+                      .size = given.size.value_or(0.125 * base),
+                      .material = material,
+                      .max_polygons = scene.mesh.max_polygons});
+}
+
+/// A crack from face to face: first to the middle of its last segment, then on until it comes out.
+void cut_through(mesh::PolygonMesh& polygons, std::vector<Point> path, int number, const crack::CutOptions& options) {
+  const Point end = path.back();
+  path.back() = 0.5 * (path[path.size() - 2] + end);
+  crack::insert_crack(polygons, {.points = path}, number, options);
+  const int tip = static_cast<int>(polygons.cracks.size()) - 1;
+  // A little beyond the face: an advance ends at the first one that it meets.
+  const crack::Advance advance = crack::advance_tip(polygons, tip, end + 0.1 * (end - path.back()), options);
+  const double reach = 1e-6 * (end - path.back()).norm();
+  if (advance.event == crack::TipEvent::reached_boundary && (advance.tip - end).norm() <= reach) return;
+  const std::string place = "(" + std::to_string(end.x()) + ", " + std::to_string(end.y()) + ")";
+  throw crack::CrackError("crack " + std::to_string(number + 1) + ": does not come out at " + place +
+                          (advance.reason.empty() ? "" : ": " + advance.reason) +
+                          "; accepted with `through`: a path that ends on a face of the body");
+}
+
 crack::CutOptions cut_options(const scene::Scene& scene) {
   crack::CutOptions options;
   if (scene.mesh.cells == scene::Cells::one && !scene.mesh.list && !scene.mesh.file) {
@@ -138,14 +177,24 @@ Body build_body(const scene::Scene& scene, Ledger& ledger) {
     body.polygons = uncracked_mesh(scene);
     assign_materials(scene, body.polygons);
   }
+  if (scene.foundation) {
+    const Ledger::Visit visit(ledger, "foundation", "mesh");
+    body.rock = static_cast<int>(scene.regions.size()) + 1;
+    append_near_field(scene, body.rock, body.polygons);
+  }
   body.discretisation = {.cut = cut_options(scene),
                          .order = scene.mesh.order,
                          .tip_order = tip_order(scene.mesh),
                          .edge_size = scene.mesh.edge_size};
   for (std::size_t i = 0; i < scene.cracks.size(); ++i) {
     const Ledger::Visit visit(ledger, "crack", "mesh");
-    crack::insert_crack(body.polygons, {.points = scene.cracks[i].path, .inner = scene.cracks[i].inner},
-                        static_cast<int>(i), body.discretisation.cut);
+    const scene::Crack& wanted = scene.cracks[i];
+    if (wanted.through) {
+      cut_through(body.polygons, wanted.path, static_cast<int>(i), body.discretisation.cut);
+    } else {
+      crack::insert_crack(body.polygons, {.points = wanted.path, .inner = wanted.inner}, static_cast<int>(i),
+                          body.discretisation.cut);
+    }
   }
   {
     Ledger::Visit visit(ledger, "mesh", "mesh");
@@ -154,6 +203,7 @@ Body build_body(const scene::Scene& scene, Ledger& ledger) {
   }
   if (scene.material) body.materials.push_back(*scene.material);
   for (const scene::Region& region : scene.regions) body.materials.push_back(region.material);
+  if (scene.foundation) body.materials.push_back(rock_of(scene));
   return body;
 }
 

@@ -27,6 +27,7 @@ struct Body {
   Discretisation discretisation;
   mesh::NodalMesh nodes;                       ///< of `polygons`, by place_nodes(body)
   std::vector<material::Isotropic> materials;  ///< by mesh::Polygon::material; the first is the scene's own
+  int rock = -1;  ///< material of the foundation's near field, -1 where the scene has no foundation
 
   int dofs() const { return 2 * nodes.node_count(); }
 };

@@ -42,7 +42,7 @@ std::vector<sbfem::RadialLoad> polygon_loads(const scene::Scene& scene, const Bo
                                              const sbfem::Boundary& boundary) {
   std::vector<sbfem::RadialLoad> loads;
   const mesh::NodalPolygon polygon = body.nodes.polygon(index);
-  if (scene.gravity) {
+  if (scene.gravity && polygon.material != body.rock) {  // the rock has settled long before the dam was built
     const double weight = body.materials[polygon.material].density * scene.gravity->acceleration;
     loads.push_back(sbfem::body_force(boundary, Eigen::Vector2d(0.0, -weight)));
   }
@@ -63,7 +63,8 @@ InteriorLoads interior_loads(const scene::Scene& scene, const Body& body, const 
                     .shares = std::vector<PolygonShare>(static_cast<std::size_t>(body.nodes.polygon_count()))};
   std::vector<int> loaded;
   for (int i = 0; i < body.nodes.polygon_count(); ++i) {
-    if (!scene.gravity && !body.nodes.polygon(i).open) continue;
+    const mesh::NodalPolygon polygon = body.nodes.polygon(i);
+    if (!(scene.gravity && polygon.material != body.rock) && !polygon.open) continue;
     const int from = earlier ? earlier->same[static_cast<std::size_t>(i)] : -1;
     if (from >= 0) {
       sum.shares[static_cast<std::size_t>(i)] = earlier->loads.shares[static_cast<std::size_t>(from)];
