@@ -51,6 +51,9 @@ CommandLine parse_command_line(std::span<const std::string> words) {
       ->type_name("N")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  run.add_option("--picture", arguments.picture,
+                 "Draw the mesh as the run has left it, with the cracks as they have grown")
+      ->type_name("FILE.svg");
   run.add_flag("--quiet", arguments.quiet, "Print nothing but errors");
   run.footer(exit_statuses);
 

@@ -218,6 +218,7 @@ void place_nodes(Body& body) {
 }
 
 std::vector<PolygonEdge> find_edges(const mesh::PolygonMesh& mesh, const std::vector<mesh::Edge>& edges) {
+  if (edges.empty()) return {};
   const auto key = [](const mesh::Edge& edge) {
     const auto [low, high] = std::minmax(edge[0], edge[1]);
     return (static_cast<unsigned long long>(low) << 32) | static_cast<unsigned>(high);

@@ -11,6 +11,7 @@ const Studies& studies() {
       {"scene", run_scene},
       {"crack-water-motion", run_crack_water_motion},
       {"polynomial-patch", run_polynomial_patch},
+      {"state-transfer", run_state_transfer},
 #endif
   };
   return all;

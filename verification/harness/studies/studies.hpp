@@ -34,6 +34,13 @@ StudyOutput run_crack_water_motion(const StudyInput& input);
 /// decimal digits that stiffness and mass keep.
 StudyOutput run_jitter(const StudyInput& input);
 
+/// "state-transfer": grows the first crack `steps` times by `increment` [m], turning by `turn` [rad] to the left and
+/// to the right in turns, each time from the equilibrium of the scene: reuse_difference (polygons taken over against
+/// all formed anew) and reused_share; linear_error of rigid motions and tension along the crack, rigid_energy;
+/// new_opening of the new faces and old_opening, the least of the old ones over a square root profile; and
+/// strain_energy_change and kinetic_energy_change of the equilibrium itself, one an event.
+StudyOutput run_state_transfer(const StudyInput& input);
+
 /// "contact-history": the faces of one crack under a history of loads, solved warm: difference of the forces from exact
 /// contact by another method, largest penetration, restless states.
 StudyOutput run_contact_history(const StudyInput& input);
