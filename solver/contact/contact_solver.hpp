@@ -69,7 +69,8 @@ struct ContactResult {
 /// Throws std::invalid_argument naming the value and its bound.
 void check(const ContactOptions& options);
 
-/// Solves the contact of the same faces again and again, each time from the answer before.
+/// Solves the contact of the same faces again and again, each time from the answer before: its pairs, and its k, which
+/// never shrinks.
 class ContactSolver {
  public:
   explicit ContactSolver(const ContactOptions& options = {});  ///< throws as `check`

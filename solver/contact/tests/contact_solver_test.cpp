@@ -177,6 +177,17 @@ TEST(Contact, FacesThatCannotPartAreNamed) {
   EXPECT_EQ(solve(exact, rigid, VectorXd::Ones(2), VectorXd::Zero(2)).status, ContactStatus::converged);
 }
 
+TEST(PenaltyContact, APairWithoutLengthHasNoSpring) {
+  const MatrixXd F{{2e-10, 1e-10}, {1e-10, 2e-10}};
+  for (const double length : {0.0, 1e-320}) {
+    const ContactResult result =
+        solve({.penetration_tolerance = 1.0}, F, VectorXd{{0.5, length}}, VectorXd::Constant(2, -0.1));
+    EXPECT_EQ(result.status, ContactStatus::converged);
+    EXPECT_EQ(result.pair_force[1], 0.0);
+    EXPECT_GT(result.largest_penetration, 0.05);  // what its neighbour does not part
+  }
+}
+
 TEST(Contact, NoPairsIsAnAnswer) {
   ContactSolver solver;
   EXPECT_EQ(solver.solve(VectorXd()).status, ContactStatus::converged);
