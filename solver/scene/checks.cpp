@@ -34,8 +34,8 @@ const std::vector<AnalysisNeeds>& analyses() {
        {"material", "dynamics"},
        {"geometry", "mesh", "region", "crack", "fracture", "support", "load", "gravity", "reservoir", "foundation",
         "contact", "crack_water", "propagation", "ground_motion", "output"}},
-      {Analysis::crack_water, "crack-water", {"crack_line", "crack_water"}, {"output"}},
-      {Analysis::response, "response", {"response"}, {"reservoir", "foundation", "output"}},
+      {Analysis::crack_water, "crack-water", {"crack_line", "crack_water"}, {}},
+      {Analysis::response, "response", {"response"}, {"reservoir", "foundation"}},
   };
   return all;
 }
@@ -186,6 +186,26 @@ void check_held(const Node& document, const Scene& scene, Findings& findings) {
                "the supports leave " + motion + " free; accepted: supports against every rigid motion");
 }
 
+/// The dam's base becomes a line inside the body: nothing else can act on it.
+void check_founded_boundary(const Node& document, const Scene& scene, Findings& findings) {
+  const std::string& base = scene.foundation->boundary;
+  const auto refuse = [&](const Node& table, const std::string& path, const std::string& given, const char* what) {
+    if (given != base) return;
+    findings.add(table.find("boundary")->origin, path + ".boundary",
+                 "\"" + base + "\" stands on [foundation], so it cannot also be " + what +
+                     "; accepted: another boundary, or no [foundation]");
+  };
+  for (std::size_t i = 0; i < scene.supports.size(); ++i) {
+    const Node& table = element(document, "support", i);
+    if (table.has("boundary"))
+      refuse(table, "support[" + std::to_string(i) + "]", scene.supports[i].boundary, "supported");
+  }
+  for (std::size_t i = 0; i < scene.loads.size(); ++i)
+    refuse(element(document, "load", i), "load[" + std::to_string(i) + "]", scene.loads[i].boundary, "loaded");
+  if (scene.reservoir && document.find("reservoir")->has("boundary"))
+    refuse(*document.find("reservoir"), "reservoir", scene.reservoir->boundary, "a wet face");
+}
+
 /// Reservoir and foundation have a boundary of the body, or, alone, a size of their own.
 void check_unbounded(const Node& document, const Scene& scene, Findings& findings) {
   const bool alone = scene.analysis == Analysis::response;
@@ -219,6 +239,29 @@ void check_density(const Node& document, const Scene& scene, Findings& findings)
       refuse(element(document, "region", i), "region[" + std::to_string(i) + "].density");
 }
 
+/// Growth needs a crack, and an increment that fits into the body where the scene tells how large that is.
+void check_propagation(const Node& document, const Scene& scene, Findings& findings) {
+  if (!scene.propagation) return;
+  const Node& node = *document.find("propagation");
+  if (scene.cracks.empty())
+    findings.add(node.origin, "[propagation]", "has no effect without [[crack]]; a crack must be there to grow");
+  const std::vector<Point>* points = nullptr;
+  if (scene.geometry) points = &scene.geometry->outline;
+  if (scene.mesh.list) points = &scene.mesh.list->vertices;
+  if (points == nullptr || points->empty()) return;
+  Point low = points->front(), high = low;
+  for (const Point& point : *points) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  const double size = (high - low).norm();
+  if (scene.propagation->increment < size) return;
+  const Node* given = node.find("increment");
+  findings.add(given != nullptr ? given->origin : node.origin, "propagation.increment",
+               shown(scene.propagation->increment) + " m is larger than the body; accepted: a number < " + shown(size) +
+                   " [m], the diagonal of the body");
+}
+
 /// What acts on crack faces needs a crack; resting water in it comes from a reservoir.
 void check_crack_faces(const Node& document, const Scene& scene, Findings& findings) {
   for (const char* table : {"contact", "crack_water"})
@@ -249,6 +292,8 @@ void check_together(const Node& document, const Scene& scene, Findings& findings
   check_shape(document, scene, findings);
   check_boundaries(document, scene, findings);
   check_density(document, scene, findings);
+  check_propagation(document, scene, findings);
+  if (scene.foundation) check_founded_boundary(document, scene, findings);
   check_crack_faces(document, scene, findings);
   if (scene.analysis == Analysis::static_ && findings.count() == before) check_held(document, scene, findings);
 }

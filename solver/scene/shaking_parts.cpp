@@ -38,7 +38,21 @@ Table<Reservoir> reservoir_table() {
       }};
 }
 
-Table<Foundation> foundation_table() {
+Table<NearField> near_field_table() {
+  const auto length = [](std::optional<double> NearField::*member, const char* name, const char* meaning,
+                         const char* otherwise) {
+    return key(member,
+               {.name = name, .unit = "m", .range = positive(), .meaning = meaning, .default_value = otherwise});
+  };
+  return {"foundation.near_field",
+          "near_field = { width, depth, size }",
+          "block of polygons between the base and the unbounded rock",
+          {length(&NearField::width, "width", "beside the base, on either side", "base / 4"),
+           length(&NearField::depth, "depth", "of the block", "base / 4"),
+           length(&NearField::size, "size", "of its polygons away from the base", "base / 8")}};
+}
+
+Table<Foundation> foundation_table(const std::shared_ptr<const Table<NearField>>& near_field) {
   return {
       "foundation",
       "[foundation]",
@@ -61,7 +75,9 @@ Table<Foundation> foundation_table() {
                                      .meaning = "analysis = \"response\": of the strip, or radius of the disc"}),
        choice(&Foundation::shape,
               Choices<FoundationShape>{{"strip", FoundationShape::strip}, {"disc", FoundationShape::disc}},
-              {.name = "shape", .meaning = "analysis = \"response\": what moves"})},
+              {.name = "shape", .meaning = "analysis = \"response\": what moves"}),
+       table_key(&Foundation::near_field, near_field,
+                 {.name = "near_field", .meaning = "block of polygons below the base"})},
       {}};
 }
 
@@ -138,7 +154,9 @@ Table<Response> response_table() {
 Table<Output> output_table() {
   return {"output",
           "[output]",
-          "fields for pictures; absent: the summary and the history only",
+          "fields for pictures in results.h5 (a static analysis has one snapshot, modal one a mode); absent: the "
+          "summary and "
+          "the history only",
           {key(&Output::fields_every,
                {.name = "fields_every", .range = at_least(0), .meaning = "steps between field snapshots; 0: none"})}};
 }
@@ -146,8 +164,9 @@ Table<Output> output_table() {
 }  // namespace
 
 std::vector<Part> shaking_parts() {
+  const auto near_field = std::make_shared<const Table<NearField>>(near_field_table());
   return {one_part<Reservoir>(&Scene::reservoir, reservoir_table()),
-          one_part<Foundation>(&Scene::foundation, foundation_table()),
+          one_part<Foundation>(&Scene::foundation, foundation_table(near_field), {reference_of(*near_field)}),
           one_part<GroundMotion>(&Scene::ground_motion, ground_motion_table()),
           one_part<Dynamics>(&Scene::dynamics, dynamics_table()),
           one_part<Response>(&Scene::response, response_table()),

@@ -27,13 +27,21 @@ enum class FoundationShape {
   disc,   ///< rigid disc in the full plane
 };
 
+/// The polygons of rock between the dam's base and the unbounded rock: a block below level ground.
+struct NearField {
+  std::optional<double> width;  ///< beside the base on either side [m], > 0; absent: a quarter of the base's length
+  std::optional<double> depth;  ///< [m], > 0; absent: a quarter of the base's length
+  std::optional<double> size;   ///< of its polygons away from the base [m], > 0; absent: an eighth of that length
+};
+
 struct Foundation {
-  std::string boundary;              ///< empty where analysis = "response"
+  std::string boundary;              ///< level, under the whole body; empty where analysis = "response"
   double youngs_modulus;             ///< [Pa], > 0
   double poisson_ratio;              ///< [-], >= 0, < 0.5
   double density;                    ///< [kg/m³], >= 0; 0: massless
   std::optional<double> half_width;  ///< of the strip, or radius of the disc [m], > 0: analysis = "response"
   FoundationShape shape = FoundationShape::strip;
+  std::optional<NearField> near_field;
 };
 
 struct GroundMotion {

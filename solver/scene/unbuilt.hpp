@@ -11,12 +11,10 @@ namespace sunder::scene {
 
 inline constexpr std::array unbuilt_tables = {
     std::string_view("reservoir"),      //
-    std::string_view("foundation"),     //
     std::string_view("propagation"),    //
     std::string_view("ground_motion"),  //
     std::string_view("dynamics"),       //
     std::string_view("response"),       //
-    std::string_view("output"),         //
 };
 
 inline constexpr std::array unbuilt_analyses = {
@@ -26,7 +24,8 @@ inline constexpr std::array unbuilt_analyses = {
 
 /// A table of the list above that is built in this one analysis.
 constexpr bool built_in(std::string_view table, Analysis analysis) {
-  return table == "reservoir" && analysis == Analysis::static_;
+  return (table == "propagation" && analysis == Analysis::static_) ||
+         (table == "reservoir" && analysis == Analysis::static_);
 }
 
 }  // namespace sunder::scene

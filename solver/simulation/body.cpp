@@ -6,6 +6,7 @@
 #include "solver/crack/advance_tip.hpp"
 #include "solver/crack/insert_crack.hpp"
 #include "solver/mesh/divide.hpp"
+#include "solver/mesh/ground_block.hpp"
 #include "solver/mesh/msh_file.hpp"
 
 #include "solver/mesh/sources.hpp"
@@ -94,6 +95,27 @@ void assign_materials(const scene::Scene& scene, mesh::PolygonMesh& polygons) {
   }
 }
 
+material::Isotropic rock_of(const scene::Scene& scene) {
+  const scene::Foundation& foundation = *scene.foundation;
+  material::Isotropic rock{.youngs_modulus = foundation.youngs_modulus,
+                           .poisson_ratio = foundation.poisson_ratio,
+                           .density = foundation.density};
+  // Modes of a block of rock with inertia would be those of its own size, not of the dam.
+  if (scene.analysis == scene::Analysis::modal) rock.density = 0.0;
+  return rock;
+}
+
+void append_near_field(const scene::Scene& scene, int material, mesh::PolygonMesh& polygons) {
+  const scene::NearField given = scene.foundation->near_field.value_or(scene::NearField{});
+  const double base = mesh::level_base(polygons, scene.foundation->boundary).length();
+  mesh::append_block(polygons, scene.foundation->boundary,
+                     {.width = given.width.value_or(0.25 * base),
+                      .depth = given.depth.value_or(0.25 * base),
+                      .size = given.size.value_or(0.125 * base),
+                      .material = material,
+                      .max_polygons = scene.mesh.max_polygons});
+}
+
 /// A crack from face to face: first to the middle of its last segment, then on until it comes out.
 void cut_through(mesh::PolygonMesh& polygons, std::vector<Point> path, int number, const crack::CutOptions& options) {
   const Point end = path.back();
@@ -110,22 +132,14 @@ void cut_through(mesh::PolygonMesh& polygons, std::vector<Point> path, int numbe
                           "; accepted with `through`: a path that ends on a face of the body");
 }
 
-void insert_cracks(const scene::Scene& scene, mesh::PolygonMesh& polygons, Ledger& ledger) {
+crack::CutOptions cut_options(const scene::Scene& scene) {
   crack::CutOptions options;
   if (scene.mesh.cells == scene::Cells::one && !scene.mesh.list && !scene.mesh.file) {
     options.tip_edges = 1;  // edge_size and grade say how the one polygon's edges are divided
     options.flattest_edge = 1e-6;
   }
   if (scene.mesh.tip_edges) options.tip_edges = *scene.mesh.tip_edges;
-  for (std::size_t i = 0; i < scene.cracks.size(); ++i) {
-    const Ledger::Visit visit(ledger, "crack", "mesh");
-    const scene::Crack& wanted = scene.cracks[i];
-    if (wanted.through) {
-      cut_through(polygons, wanted.path, static_cast<int>(i), options);
-    } else {
-      crack::insert_crack(polygons, {.points = wanted.path, .inner = wanted.inner}, static_cast<int>(i), options);
-    }
-  }
+  return options;
 }
 
 /// On a coarse tip polygon the edges' order decides K_I, and raising it costs next to nothing (measured: README).
@@ -143,19 +157,42 @@ Body build_body(const scene::Scene& scene, Ledger& ledger) {
     body.polygons = uncracked_mesh(scene);
     assign_materials(scene, body.polygons);
   }
-  if (!scene.cracks.empty()) insert_cracks(scene, body.polygons, ledger);
-  if (scene.mesh.edge_size) mesh::divide_long_edges(body.polygons, {.size = *scene.mesh.edge_size});
+  if (scene.foundation) {
+    const Ledger::Visit visit(ledger, "foundation", "mesh");
+    body.rock = static_cast<int>(scene.regions.size()) + 1;
+    append_near_field(scene, body.rock, body.polygons);
+  }
+  body.discretisation = {.cut = cut_options(scene),
+                         .order = scene.mesh.order,
+                         .tip_order = tip_order(scene.mesh),
+                         .edge_size = scene.mesh.edge_size};
+  for (std::size_t i = 0; i < scene.cracks.size(); ++i) {
+    const Ledger::Visit visit(ledger, "crack", "mesh");
+    const scene::Crack& wanted = scene.cracks[i];
+    if (wanted.through) {
+      cut_through(body.polygons, wanted.path, static_cast<int>(i), body.discretisation.cut);
+    } else {
+      crack::insert_crack(body.polygons, {.points = wanted.path, .inner = wanted.inner}, static_cast<int>(i),
+                          body.discretisation.cut);
+    }
+  }
   {
     Ledger::Visit visit(ledger, "mesh", "mesh");
-    const int at_tip = tip_order(scene.mesh), elsewhere = scene.mesh.order;
-    body.nodes = mesh::place_nodes(body.polygons, [&](int polygon, int /*edge*/) {
-      return body.polygons.polygons[polygon].open ? at_tip : elsewhere;
-    });
+    place_nodes(body);
     visit.add_entries(body.nodes.coordinates().size());
   }
   if (scene.material) body.materials.push_back(*scene.material);
   for (const scene::Region& region : scene.regions) body.materials.push_back(region.material);
+  if (scene.foundation) body.materials.push_back(rock_of(scene));
   return body;
+}
+
+void place_nodes(Body& body) {
+  const Discretisation& rule = body.discretisation;
+  if (rule.edge_size) mesh::divide_long_edges(body.polygons, {.size = *rule.edge_size});
+  body.nodes = mesh::place_nodes(body.polygons, [&](int polygon, int /*edge*/) {
+    return body.polygons.polygons[polygon].open ? rule.tip_order : rule.order;
+  });
 }
 
 std::vector<PolygonEdge> find_edges(const mesh::PolygonMesh& mesh, const std::vector<mesh::Edge>& edges) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include "solver/mesh/ground_block.hpp"
 #include "solver/scene/scene_error.hpp"
 #include "solver/simulation/standing_water.hpp"
 
@@ -118,8 +119,14 @@ void add_face(const Body& body, const std::vector<int>& chain, const FacePressur
 
 }  // namespace
 
-Supports supports_of(const scene::Scene& scene, const Body& body, bool may_float) {
+Supports supports_of(const scene::Scene& scene, const Body& body, bool may_float, bool rock_moves) {
   Supports supports{.constraints = Constraints(body.dofs()), .dofs = {}};
+  if (body.rock >= 0 && !rock_moves) {
+    for (const int node : boundary_nodes(body, mesh::block_interface)) {
+      supports.constraints.prescribe(2 * node, 0.0);
+      supports.constraints.prescribe(2 * node + 1, 0.0);
+    }
+  }
   std::vector<int> holder(body.dofs(), -1);
   for (std::size_t i = 0; i < scene.supports.size(); ++i) {
     const scene::Support& support = scene.supports[i];

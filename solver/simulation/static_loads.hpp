@@ -17,9 +17,12 @@ struct Supports {
   std::vector<std::vector<int>> dofs;  ///< one list a support of the scene
 };
 
-/// Throws scene::SceneError where a point support has no node, and, unless `may_float`, where a part of the body could
-/// still move.
-[[nodiscard]] Supports supports_of(const scene::Scene& scene, const Body& body, bool may_float);
+/// A foundation's near field is held where the unbounded rock begins, unless `rock_moves`: a half-plane has no static
+/// stiffness against translation (its displacement grows like the logarithm of the distance), so a static answer needs
+/// a distance, and the block's is taken. Throws scene::SceneError where a point support has no node, and, unless
+/// `may_float`, where a part of the body could still move.
+[[nodiscard]] Supports supports_of(const scene::Scene& scene, const Body& body, bool may_float,
+                                   bool rock_moves = false);
 
 /// Tractions and pressures on named boundaries, and the standing water of the reservoir (dofs) [N/m].
 [[nodiscard]] Eigen::VectorXd boundary_forces(const scene::Scene& scene, const Body& body);

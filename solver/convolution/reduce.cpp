@@ -1,0 +1,208 @@
+// From weights to a state space: balanced truncation of their Hankel matrix, and the error that is left.
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+#include "solver/convolution/hankel_product.hpp"
+#include "solver/convolution/state_space.hpp"
+#include "solver/numerics/planted_fault.hpp"
+
+namespace sunder::convolution {
+namespace {
+
+struct Dominant {
+  Eigen::MatrixXd vectors;  // (rows, q)
+  Eigen::VectorXd values;   // (q) eigenvalues of the Hankel matrix, largest modulus first
+};
+
+Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(columns);
+  return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), columns.cols());
+}
+
+Dominant dominant(const HankelProduct& hankel, int count) {
+  std::mt19937_64 generator(1);  // its bits are the same everywhere; the distributions of <random> are not
+  Eigen::MatrixXd start(hankel.rows(), count);
+  for (double& x : start.reshaped()) x = static_cast<double>(generator() >> 11) * 0x1p-52 - 1.0;
+  Eigen::MatrixXd basis = orthonormal(hankel * start);
+  basis = orthonormal(hankel * basis);
+  Eigen::MatrixXd projected = basis.transpose() * (hankel * basis);
+  projected = (0.5 * (projected + projected.transpose())).eval();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(projected);
+  std::vector<int> order(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) order[static_cast<std::size_t>(i)] = i;
+  const Eigen::VectorXd& values = solver.eigenvalues();
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return std::abs(values[a]) > std::abs(values[b]); });
+  const Eigen::PermutationMatrix<Eigen::Dynamic> permutation(
+      Eigen::Map<const Eigen::VectorXi>(order.data(), count).eval());
+  return {basis * (solver.eigenvectors() * permutation), permutation.transpose() * values};
+}
+
+/// Keeps of each pair of conjugates the one with a positive imaginary part, doubled.
+void pair_conjugates(const Eigen::VectorXcd& decay, const Eigen::MatrixXcd& input, const Eigen::MatrixXcd& output,
+                     StateSpaceModel& model) {
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index k = 0; k < decay.size(); ++k)
+    if (decay[k].imag() >= 0.0 && std::abs(decay[k]) < 1.0) kept.push_back(k);
+  const auto count = static_cast<Eigen::Index>(kept.size());
+  model.decay.resize(count);
+  model.input.resize(count, input.cols());
+  model.output.resize(output.rows(), count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Eigen::Index k = kept[static_cast<std::size_t>(i)];
+    model.decay[i] = decay[k];
+    model.input.row(i) = input.row(k);
+    model.output.col(i) = (decay[k].imag() > 0.0 ? 2.0 : 1.0) * output.col(k);
+  }
+}
+
+/// The model of the first `states` dominant vectors.
+void realise(const Dominant& found, int states, int blocks, StateSpaceModel& model) {
+  const int n = model.size();
+  const Eigen::VectorXd root = found.values.head(states).cwiseAbs().cwiseSqrt();
+  const Eigen::MatrixXd V = found.vectors.leftCols(states);
+  // O = V root; O shifted up by one block, degree of freedom by degree of freedom
+  Eigen::MatrixXd shifted = Eigen::MatrixXd::Zero(V.rows(), states), first(n, states);
+  for (int d = 0; d < n; ++d) {
+    shifted.middleRows(d * blocks, blocks - 1) = V.middleRows(d * blocks + 1, blocks - 1);
+    first.row(d) = V.row(d * blocks).cwiseProduct(root.transpose());
+  }
+  const Eigen::MatrixXd A = root.cwiseInverse().asDiagonal() * (V.transpose() * shifted).eval() * root.asDiagonal();
+  const Eigen::MatrixXd B = found.values.head(states).cwiseSign().asDiagonal() * first.transpose();
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
+  const Eigen::MatrixXcd T = solver.eigenvectors();
+  const Eigen::MatrixXcd input = T.partialPivLu().solve(B.cast<std::complex<double>>());
+  pair_conjugates(solver.eigenvalues(), input, first * T, model);
+}
+
+/// Diagonal weights: one model a degree of freedom, side by side.
+StateSpaceModel reduce_each(const WeightSequence& weights, ReductionOptions options) {
+  const int n = weights.size, direct = options.direct_lags;
+  options.most_states = std::max(options.most_states / n, 1);
+  std::vector<StateSpaceModel> alone;
+  Eigen::Index states = 0;
+  for (int d = 0; d < n; ++d) {
+    alone.push_back(reduce({1, false, weights.values.row(d)}, options));
+    states += alone.back().decay.size();
+  }
+  StateSpaceModel model;
+  model.decay.resize(states);
+  model.input.setZero(states, n);
+  model.output.setZero(n, states);
+  model.direct.resize(n, n * (direct + 1));
+  for (int j = 0; j <= direct; ++j) model.direct.middleCols(j * n, n) = weights.weight(j);
+  model.certified_lags = weights.last();
+  Eigen::Index first = 0;
+  for (int d = 0; d < n; ++d) {
+    const StateSpaceModel& one = alone[static_cast<std::size_t>(d)];
+    const Eigen::Index count = one.decay.size();
+    model.decay.segment(first, count) = one.decay;
+    model.input.col(d).segment(first, count) = one.input;
+    model.output.row(d).segment(first, count) = one.output;
+    first += count;
+  }
+  model.error = certify(model, weights, options.pool);
+  model.within_tolerance = model.error.relative <= options.tolerance;
+  return model;
+}
+
+void refuse(const std::string& what) {
+  throw std::invalid_argument("reduce: " + what);
+}
+
+}  // namespace
+
+StateSpaceModel reduce(const WeightSequence& weights, const ReductionOptions& options) {
+  check(weights);
+  if (weights.diagonal && weights.size > 1) return reduce_each(weights, options);
+  if (!(options.tolerance > 0.0)) refuse("tolerance = " + std::to_string(options.tolerance) + " must be > 0");
+  if (options.direct_lags < 0 || options.direct_lags > 64)
+    refuse("direct_lags = " + std::to_string(options.direct_lags) + " must be 0 … 64");
+  if (options.most_states < 1) refuse("most_states = " + std::to_string(options.most_states) + " must be >= 1");
+  if (weights.last() <= options.direct_lags + 1)
+    refuse("N = " + std::to_string(weights.last()) + " must be > direct_lags + 1");
+
+  StateSpaceModel model;
+  const int n = weights.size;
+  model.direct.resize(n, n * (options.direct_lags + 1));
+  for (int j = 0; j <= options.direct_lags; ++j) model.direct.middleCols(j * n, n) = weights.weight(j);
+  model.certified_lags = weights.last();
+  const HankelProduct hankel(weights, options.direct_lags + 1, options.pool);
+  double total = 0.0;  // Σ ‖W_j‖_F, and with it the scale of what may be left out
+  for (long long j = 0; j <= weights.last(); ++j) total += weights.values.col(j).norm();
+  if (total == 0.0) total = 1.0;
+
+  const int most = std::min(options.most_states, hankel.rows());
+  // ‖W - W~‖ of the frequency response is at most twice the sum of the values left out [Glover 1984]; the sum over all
+  // lags is larger, which the certificate then tells. Ever more states until it agrees or there are no more.
+  double aim = 0.2 * options.tolerance * total;
+  int sought = std::min(48, most);  // vectors, until those that are left out no longer count
+  Dominant found = dominant(hankel, std::min(sought + 10, hankel.rows()));
+  while (sought < most && std::abs(found.values[sought - 1]) > 0.01 * aim) {
+    sought = std::min(2 * sought, most);
+    found = dominant(hankel, std::min(sought + 10, hankel.rows()));
+  }
+  for (int states = 0, before = -1; before < sought; before = states, aim *= 0.3) {
+    while (states < sought && std::abs(found.values[states]) > aim) ++states;
+    states = std::max(states, 1);
+    if (states == before) continue;
+    const double floor = 1e-14 * std::abs(found.values[0]);  // below it the vectors are round-off
+    while (states > 1 && !(std::abs(found.values[states - 1]) > floor)) --states;
+    StateSpaceModel candidate = model;
+    realise(found, states, hankel.blocks(), candidate);
+    candidate.error = certify(candidate, weights, options.pool);
+    if (model.decay.size() == 0 || candidate.error.relative < model.error.relative) model = candidate;
+    if (model.error.relative <= options.tolerance || aim < floor) break;
+  }
+  model.within_tolerance = model.error.relative <= options.tolerance;
+  return model;
+}
+
+KernelError certify(const StateSpaceModel& model, const WeightSequence& weights, numerics::ThreadPool* pool) {
+  if (model.size() != weights.size) throw std::invalid_argument("certify: model and weights differ in size");
+  const int n = model.size(), r = static_cast<int>(model.decay.size()), direct = model.direct_lags();
+  constexpr int parts = 8;
+  std::vector<double> error(parts, 0.0), total(parts, 0.0);
+  const long long lags = weights.last() - direct;  // j = direct + 1 + m, m = 0 … lags - 1
+  const auto share = [&](int part) {
+    const auto p = static_cast<std::size_t>(part);
+    const long long begin = lags * part / parts, end = lags * (part + 1) / parts;
+    // λ^m as the recurrence makes it, started afresh in each part
+    Eigen::VectorXcd power(r);
+    for (int k = 0; k < r; ++k) power[k] = std::pow(model.decay[k], static_cast<double>(begin));
+    Eigen::MatrixXcd turned(n, r);
+    Eigen::MatrixXd difference(n, n);
+    for (long long m = begin; m < end; ++m) {
+      turned.noalias() = model.output * power.asDiagonal();
+      difference.noalias() = turned.real() * model.input.real();
+      difference.noalias() -= turned.imag() * model.input.imag();
+      difference -= weights.weight(direct + 1 + m);
+      error[p] += difference.norm();
+      power = power.cwiseProduct(model.decay);
+    }
+  };
+  if (pool != nullptr) {
+    pool->parallel_for(parts, share);
+  } else {
+    for (int part = 0; part < parts; ++part) share(part);
+  }
+  KernelError result;
+  for (double e : error) result.absolute += e;
+  for (int k = 0; k < r; ++k) {
+    const double modulus = std::abs(model.decay[k]);
+    result.absolute += model.output.col(k).norm() * model.input.row(k).norm() *
+                       std::pow(modulus, static_cast<double>(std::max<long long>(lags, 0))) / (1.0 - modulus);
+  }
+  double scale = 0.0;
+  for (long long j = 0; j <= weights.last(); ++j) scale += weights.values.col(j).norm();
+  result.relative = scale > 0.0 ? result.absolute / scale : (result.absolute > 0.0 ? 1.0 : 0.0);
+  if (numerics::planted_fault("convolution/error-understated")) result.relative *= 1e-3, result.absolute *= 1e-3;
+  return result;
+}
+
+}  // namespace sunder::convolution
