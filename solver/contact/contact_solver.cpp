@@ -142,10 +142,11 @@ const ContactResult& ContactSolver::solve_prepared() noexcept {
     read_answer();
     const double tolerance = options_.penetration_tolerance * (planted_fault("contact/gate-not-enforced") ? 1e6 : 1.0);
     const bool within = result_.largest_penetration <= tolerance;
-    if (status == MinimumStatus::not_found) {
-      result_.status = ContactStatus::not_converged;
-    } else if (status == MinimumStatus::none || (!within && options_.model == ContactModel::exact)) {
+    const bool exact = options_.model == ContactModel::exact;
+    if (status == MinimumStatus::none) {
       result_.status = ContactStatus::no_solution;
+    } else if (status == MinimumStatus::not_found || (exact && !within)) {
+      result_.status = ContactStatus::not_converged;
     } else if (!friction_settled_) {
       result_.status = ContactStatus::friction_not_converged;
     } else if (within) {
