@@ -20,8 +20,8 @@
 /// point p stays zero (penalty: -τ/(k L)). F is then (2n, 2n), normal pairs first, and s = s⁰ + F_s (λ, τ). The stick
 /// points move only in `accept`, so that a time step may be solved again and again before it is accepted. Each solve is
 /// a sequence of problems with given bounds μ λ [Panagiotopoulos 1975]: every one has a solution and ends; the sequence
-/// converges where the coupling of λ and τ times μ is a contraction (a straight crack between like materials has next to
-/// no coupling); steps are halved when they grow; and where it does not converge the status says so.
+/// converges where the coupling of λ and τ times μ is a contraction (a straight crack between like materials has next
+/// to no coupling); steps are halved when they grow; and where it does not converge the status says so.
 
 #include <Eigen/Core>
 
