@@ -6,6 +6,9 @@ const Studies& studies() {
   static const Studies all{
       {"one-polygon", run_one_polygon},
       {"jitter", run_jitter},
+      {"convolve", run_convolve},
+      {"coupled-oscillator", run_coupled_oscillator},
+      {"kernel-march", run_kernel_march},
 #ifdef SUNDER_HAS_SIMULATION
       {"scene", run_scene},
       {"polynomial-patch", run_polynomial_patch},
