@@ -6,7 +6,6 @@
 #include <system_error>
 
 #include "solver/scene/parts.hpp"
-#include "solver/scene/unbuilt.hpp"
 
 namespace sunder::scene {
 namespace {
@@ -262,6 +261,22 @@ void check_propagation(const Node& document, const Scene& scene, Findings& findi
                    " [m], the diagonal of the body");
 }
 
+/// What acts on crack faces needs a crack; resting water in it comes from a reservoir.
+void check_crack_faces(const Node& document, const Scene& scene, Findings& findings) {
+  for (const char* table : {"contact", "crack_water"})
+    if (document.has(table) && scene.cracks.empty())
+      findings.add(place(document, table), "[" + std::string(table) + "]",
+                   "has no effect without a crack; accepted: together with [[crack]]");
+  if (scene.analysis != Analysis::static_ || !scene.crack_water) return;
+  if (!scene.reservoir)
+    findings.add(place(document, "crack_water"), "[crack_water]",
+                 "has no effect without a reservoir; accepted: together with [reservoir], or crack.pressure instead");
+  for (std::size_t i = 0; i < scene.cracks.size(); ++i)
+    if (!scene.cracks[i].inner && !scene.cracks[i].pressure.empty())
+      findings.add(element(document, "crack", i).find("pressure")->origin, "crack[" + std::to_string(i) + "].pressure",
+                   "and [crack_water] both fill this crack; accepted: one of them");
+}
+
 }  // namespace
 
 std::string_view word_of(Analysis analysis) {
@@ -278,16 +293,8 @@ void check_together(const Node& document, const Scene& scene, Findings& findings
   check_density(document, scene, findings);
   check_propagation(document, scene, findings);
   if (scene.foundation) check_founded_boundary(document, scene, findings);
+  check_crack_faces(document, scene, findings);
   if (scene.analysis == Analysis::static_ && findings.count() == before) check_held(document, scene, findings);
-}
-
-void refuse_unbuilt(const Node& document, const Scene& scene, Findings& findings) {
-  if (std::find(unbuilt_analyses.begin(), unbuilt_analyses.end(), scene.analysis) != unbuilt_analyses.end())
-    findings.add(document.find("analysis")->origin, "",
-                 "not built yet: analysis = \"" + std::string(word_of(scene.analysis)) + "\"");
-  for (std::string_view table : unbuilt_tables)
-    if (document.has(table) && !built_in(table, scene.analysis))
-      findings.add(place(document, table), "", "not built yet: [" + std::string(table) + "]");
 }
 
 }  // namespace sunder::scene

@@ -18,18 +18,10 @@
 
 namespace sunder::simulation {
 
-/// Pressure of the water at a crack's mouth, p = resting + weights · R with R the forces of a medium [N/m].
-struct Mouth {
-  bool wet = false;
-  double resting = 0.0;     ///< [Pa]
-  std::size_t medium = 0;   ///< index of the medium
-  Eigen::VectorXd weights;  ///< (n) [1/m]; empty: the reservoir is at rest
-};
-
 struct DynamicBody {
   Body body;
   sbfem::Formation formation;
-  Supports supports;
+  Supports supports{.constraints = Constraints(0), .dofs = {}};
   Eigen::SparseMatrix<double> stiffness, mass;  ///< lower triangles (dofs, dofs)
   Eigen::VectorXd dead_load;                    ///< (dofs) [N/m] weight, standing water, other constant loads
   std::vector<CrackFaceLoads> cracks;           ///< one a tip
@@ -39,17 +31,16 @@ struct DynamicBody {
   bool cracked() const { return !cracks.empty(); }
 };
 
-/// Forms what `formation` leaves to be formed. `scene` tells the loads; water in the cracks is not among them.
+/// Assembles what was formed. `scene` tells the loads; water in the cracks is not among them. `rock_moves`: the line of
+/// the foundation's near field is free, an attached medium holds it.
 [[nodiscard]] DynamicBody dynamic_body(const scene::Scene& scene, Body body, sbfem::Formation formation,
-                                       numerics::ThreadPool& pool);
+                                       bool rock_moves, numerics::ThreadPool& pool);
 
 /// The condensed answer of the body to forces between its faces: `X` (dofs, m) [m²/N] of `loads`, `added_mass` (cracks,
 /// m) what a unit force adds to each mouth's pressure.
 [[nodiscard]] faces::FaceStructure face_structure(const DynamicBody& body, const Eigen::MatrixXd& X,
                                                   Eigen::MatrixXd mouth,
                                                   std::span<const std::unique_ptr<faces::FaceWater>> waters);
-
-[[nodiscard]] faces::FaceStepOptions face_step_options(const scene::Scene& scene);
 
 /// For each degree of freedom on a named boundary of `before` that of the same place and side of `after`; -1 elsewhere,
 /// and where the boundary has changed.

@@ -4,6 +4,7 @@ namespace sunder::verification {
 
 const Studies& studies() {
   static const Studies all{
+      {"contact-history", run_contact_history},
       {"one-polygon", run_one_polygon},
       {"jitter", run_jitter},
       {"convolve", run_convolve},
@@ -11,6 +12,7 @@ const Studies& studies() {
       {"kernel-march", run_kernel_march},
 #ifdef SUNDER_HAS_SIMULATION
       {"scene", run_scene},
+      {"crack-water-motion", run_crack_water_motion},
       {"polynomial-patch", run_polynomial_patch},
 #endif
   };
