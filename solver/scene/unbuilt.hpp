@@ -16,13 +16,11 @@ inline constexpr std::array unbuilt_tables = {
     std::string_view("propagation"),    //
     std::string_view("ground_motion"),  //
     std::string_view("dynamics"),       //
-    std::string_view("response"),       //
     std::string_view("output"),         //
 };
 
 inline constexpr std::array unbuilt_analyses = {
     Analysis::dynamic,
-    Analysis::response,
 };
 
 /// A table of the list above that is built in this one analysis.

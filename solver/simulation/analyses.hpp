@@ -20,4 +20,8 @@ void run_modal(const scene::Scene& scene, const Body& body, const RunOptions& op
 void run_crack_water(const scene::Scene& scene, const RunOptions& options, Ledger& ledger,
                      results::RunSummary& summary);
 
+/// Unbounded domains alone, no body. Throws scene::SceneError as the domains' own parts.
+void run_response(const scene::Scene& scene, const RunOptions& options, numerics::ThreadPool& pool, Ledger& ledger,
+                  results::RunSummary& summary);
+
 }  // namespace sunder::simulation

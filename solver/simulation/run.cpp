@@ -39,6 +39,12 @@ results::RunSummary run(const scene::Scene& scene, const RunOptions& options) {
     if (options.progress) options.progress("done", 1.0);
     return summary;
   }
+  if (scene.analysis == scene::Analysis::response) {
+    run_response(scene, options, pool, ledger, summary);
+    ledger.close(summary);
+    if (options.progress) options.progress("done", 1.0);
+    return summary;
+  }
   if (options.progress) options.progress("mesh", 0.0);
   const Body body = build_body(scene, ledger);
   summary.mesh = {.polygons = body.nodes.polygon_count(), .nodes = body.nodes.node_count(), .dofs = body.dofs()};
