@@ -29,7 +29,7 @@ struct Mouth {
 struct DynamicBody {
   Body body;
   sbfem::Formation formation;
-  Supports supports;
+  Supports supports{.constraints = Constraints(0), .dofs = {}};
   Eigen::SparseMatrix<double> stiffness, mass;  ///< lower triangles (dofs, dofs)
   Eigen::VectorXd dead_load;                    ///< (dofs) [N/m] weight, standing water, other constant loads
   std::vector<CrackFaceLoads> cracks;           ///< one a tip

@@ -9,6 +9,7 @@ const Studies& studies() {
 #ifdef SUNDER_HAS_SIMULATION
       {"scene", run_scene},
       {"polynomial-patch", run_polynomial_patch},
+      {"time-step", run_time_step},
 #endif
   };
   return all;

@@ -26,4 +26,12 @@ StudyOutput run_one_polygon(const StudyInput& input);
 /// decimal digits that stiffness and mass keep.
 StudyOutput run_jitter(const StudyInput& input);
 
+/// "time-step": `steps` steps of `time_step` (or of `duration` / steps) by `integrator` (`spectral_radius`) of a `body`
+/// with known motion, then as many of `step_jump` times the length. "oscillator": mass 1, `omega`, Rayleigh `damping`
+/// ("stiffness" or "both") with `damping_ratio` at omega; "rod": length and wave speed 1 of `elements`. `drive`: "free"
+/// (let go at 1), "force" and "ground" (`amplitude` · sin(`forcing` t)), "pulse" (base moves by exact/oscillator.hpp).
+/// Gives displacement and velocity at the end (of the free end), largest_displacement, and of a free motion
+/// energy_drift.
+StudyOutput run_time_step(const StudyInput& input);
+
 }  // namespace sunder::verification
