@@ -18,14 +18,6 @@
 
 namespace sunder::simulation {
 
-/// Pressure of the water at a crack's mouth, p = resting + weights · R with R the forces of a medium [N/m].
-struct Mouth {
-  bool wet = false;
-  double resting = 0.0;     ///< [Pa]
-  std::size_t medium = 0;   ///< index of the medium
-  Eigen::VectorXd weights;  ///< (n) [1/m]; empty: the reservoir is at rest
-};
-
 struct DynamicBody {
   Body body;
   sbfem::Formation formation;

@@ -29,7 +29,7 @@ void EnergyAccount::grow(const StepEquations& equations, const MotionState& stat
 
 void EnergyAccount::add(const StepEquations& equations, const MotionState& from, const MotionState& to,
                         const StepLoad& start, const StepLoad& end, const std::vector<Eigen::VectorXd>& media_before,
-                        const FaceWork& faces) {
+                        const FaceWork& faces, const Eigen::VectorXd& released) {
   const double dt = equations.options().time_step;
   const dynamics::Rayleigh& damping = equations.options().damping;
   Ku_before_.swap(Ku_);
@@ -44,6 +44,7 @@ void EnergyAccount::add(const StepEquations& equations, const MotionState& from,
   for (std::size_t m = 0; m < media_before.size(); ++m) {
     energies_.radiated += 0.5 * equations.work_on_medium(m, moved_, media_before[m]);
   }
+  if (released.size() > 0) energies_.growth += 0.5 * moved_.dot(released);
   energies_.contact += faces.contact;
   energies_.water += faces.water;
   const double came_in = energies_.input + energies_.load + energies_.contact + energies_.water + energies_.growth -

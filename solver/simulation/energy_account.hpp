@@ -24,7 +24,8 @@ struct Energies {
   double load = 0.0;      ///< work of weight and standing water
   double contact = 0.0;   ///< work of the contact forces on the faces
   double water = 0.0;     ///< work of the water in the cracks on the faces
-  double growth = 0.0;    ///< change of strain and kinetic energy at growth events
+  double growth = 0.0;    ///< of growth events: change of the stored energy by the transfer of the state, less what the
+                          ///< opening of the new faces takes
 
   double stored() const { return kinetic + strain; }
 };
@@ -40,9 +41,12 @@ class EnergyAccount {
   void begin(const StepEquations& equations, const MotionState& state);
 
   /// One step from `from` to `to` under the loads `start` and `end` (weights and standing water only). `equations`
-  /// holds the forces of the media at the start in `media_before`.
+  /// holds the forces of the media at the end, `media_before` those at the start. `released` (dofs) [N/m], empty but
+  /// after a growth event: what was out of balance at the start, the force that had held the new faces together; it
+  /// falls to 0 within the step.
   void add(const StepEquations& equations, const MotionState& from, const MotionState& to, const StepLoad& start,
-           const StepLoad& end, const std::vector<Eigen::VectorXd>& media_before, const FaceWork& faces);
+           const StepLoad& end, const std::vector<Eigen::VectorXd>& media_before, const FaceWork& faces,
+           const Eigen::VectorXd& released);
 
   /// A growth event has changed the stored energy to that of `state` in the new equations.
   void grow(const StepEquations& equations, const MotionState& state);

@@ -61,6 +61,8 @@ results::RunSummary run(const scene::Scene& scene, const RunOptions& options) {
     run_static(scene, body, options, pool, ledger, summary);
   } else if (scene.analysis == scene::Analysis::modal) {
     run_modal(scene, body, options, pool, ledger, summary);
+  } else if (scene.analysis == scene::Analysis::dynamic) {
+    run_dynamic(scene, body, options, pool, ledger, summary);
   } else {
     throw std::invalid_argument(std::string("analysis \"") + word(scene.analysis) + "\" is not built yet");
   }

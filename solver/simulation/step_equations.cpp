@@ -9,15 +9,9 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-/// Lower triangle of c_M M + c_K K + c_W Σ W_0, with the identity at prescribed dofs.
-SparseMatrix matrix_of_step(const SparseMatrix& stiffness, const SparseMatrix& mass, const Constraints& constraints,
-                            std::span<const AttachedMedium* const> media, const StepOptions& options) {
-  const dynamics::StepFactors factors = dynamics::step_factors(options.scheme, options.time_step);
-  const double of_mass = factors.mass + options.damping.of_mass * factors.damping;
-  const double of_stiffness = factors.stiffness + options.damping.of_stiffness * factors.damping;
-  SparseMatrix matrix = of_mass * mass + of_stiffness * stiffness;
-  const double of_media =
-      (1.0 - options.scheme.alpha_f) / (options.scheme.beta * options.time_step * options.time_step);
+/// Adds `factor` Σ W_0 to a lower triangle and puts the identity at prescribed dofs.
+SparseMatrix with_media(SparseMatrix matrix, const Constraints& constraints,
+                        std::span<const AttachedMedium* const> media, double factor) {
   std::vector<Eigen::Triplet<double>> entries;
   for (const AttachedMedium* medium : media) {
     if (numerics::planted_fault("simulation/instantaneous-mass-on-load-side")) continue;
@@ -25,7 +19,7 @@ SparseMatrix matrix_of_step(const SparseMatrix& stiffness, const SparseMatrix& m
     for (Index j = 0; j < W.cols(); ++j) {
       for (Index i = 0; i < W.rows(); ++i) {
         const int row = medium->dofs[static_cast<std::size_t>(i)], column = medium->dofs[static_cast<std::size_t>(j)];
-        if (row >= column) entries.emplace_back(row, column, of_media * 0.5 * (W(i, j) + W(j, i)));
+        if (row >= column) entries.emplace_back(row, column, factor * 0.5 * (W(i, j) + W(j, i)));
       }
     }
   }
@@ -40,6 +34,17 @@ SparseMatrix matrix_of_step(const SparseMatrix& stiffness, const SparseMatrix& m
   eliminate(resting, matrix.diagonal().cwiseAbs().mean(), matrix, none);
   matrix.makeCompressed();
   return matrix;
+}
+
+/// Lower triangle of c_M M + c_C C + c_K K + c_W Σ W_0.
+SparseMatrix matrix_of_step(const SparseMatrix& stiffness, const SparseMatrix& mass, const Constraints& constraints,
+                            std::span<const AttachedMedium* const> media, const StepOptions& options) {
+  const dynamics::StepFactors factors = dynamics::step_factors(options.scheme, options.time_step);
+  const double of_mass = factors.mass + options.damping.of_mass * factors.damping;
+  const double of_stiffness = factors.stiffness + options.damping.of_stiffness * factors.damping;
+  const double of_media =
+      (1.0 - options.scheme.alpha_f) / (options.scheme.beta * options.time_step * options.time_step);
+  return with_media(of_mass * mass + of_stiffness * stiffness, constraints, media, of_media);
 }
 
 }  // namespace
@@ -80,6 +85,26 @@ Eigen::MatrixXd StepEquations::answer(const SparseMatrix& loads) const {
   }
   if (X.cols() > 0) factor_.solve_in_place(X);
   return X;
+}
+
+void StepEquations::begin(MotionState& state, const Eigen::Vector2d& ground, std::span<AttachedMedium* const> media) {
+  if (ground.squaredNorm() == 0.0) return;
+  VectorXd right = -ground_load(ground);
+  for (std::size_t m = 0; m < media_.size(); ++m) {
+    const AttachedMedium& medium = *media_[m];
+    VectorXd& known = medium_work_[m];
+    for (std::size_t i = 0; i < medium.dofs.size(); ++i) {
+      known[static_cast<Index>(i)] = medium.driven_by == DrivenBy::total ? ground[medium.dofs[i] % 2] : 0.0;
+    }
+    histories_[m] = medium.convolution->instantaneous_mass() * known;
+    for (std::size_t i = 0; i < medium.dofs.size(); ++i) right[medium.dofs[i]] -= histories_[m][static_cast<Index>(i)];
+  }
+  hold(right);
+  const numerics::SymmetricFactor inertia(with_media(mass_, *constraints_, media_, 1.0), {.block = 2});
+  if (inertia.status() != numerics::FactorStatus::factorised) return;  // massless: there is no acceleration to find
+  inertia.solve_in_place(right);
+  state.acceleration = right;
+  accept(state, ground, media);
 }
 
 double StepEquations::acceleration_factor() const {

@@ -61,6 +61,10 @@ class StepEquations {
   /// Velocity and acceleration at the end of a step with the change d, and the time. `next` may not be `state`.
   void advance(const MotionState& state, const Eigen::VectorXd& d, MotionState& next) const;
 
+  /// A body that rests at time 0 in ground that accelerates at once: its first acceleration, (M + ΣW_0) a = -(M r +
+  /// ΣW_0 r) a_g, goes into `state` and to the media. Nothing happens where `ground` is 0. Allocates.
+  void begin(MotionState& state, const Eigen::Vector2d& ground, std::span<AttachedMedium* const> media);
+
   /// d a / d d: the acceleration that a unit of d adds [1/s²].
   double acceleration_factor() const;
 
@@ -74,6 +78,8 @@ class StepEquations {
   const Eigen::SparseMatrix<double>& mass() const { return mass_; }            ///< lower, as given
   const Constraints& constraints() const { return *constraints_; }
 
+  /// M r a_g (dofs) [N/m].
+  Eigen::VectorXd ground_load(const Eigen::Vector2d& ground) const { return ground_mass_.transpose() * ground; }
   /// Δuᵀ M r a_g [J/m]: work of a motion Δu (dofs) against the inertia of a ground acceleration.
   double work_of_ground(const Eigen::VectorXd& moved, const Eigen::Vector2d& ground) const;
   /// Δuᵀ (R_before + R) [J/m] on medium `i` with its force R at the end of the last accepted step.
