@@ -262,6 +262,22 @@ void check_propagation(const Node& document, const Scene& scene, Findings& findi
                    " [m], the diagonal of the body");
 }
 
+/// What acts on crack faces needs a crack; resting water in it comes from a reservoir.
+void check_crack_faces(const Node& document, const Scene& scene, Findings& findings) {
+  for (const char* table : {"contact", "crack_water"})
+    if (document.has(table) && scene.cracks.empty())
+      findings.add(place(document, table), "[" + std::string(table) + "]",
+                   "has no effect without a crack; accepted: together with [[crack]]");
+  if (scene.analysis != Analysis::static_ || !scene.crack_water) return;
+  if (!scene.reservoir)
+    findings.add(place(document, "crack_water"), "[crack_water]",
+                 "has no effect without a reservoir; accepted: together with [reservoir], or crack.pressure instead");
+  for (std::size_t i = 0; i < scene.cracks.size(); ++i)
+    if (!scene.cracks[i].inner && !scene.cracks[i].pressure.empty())
+      findings.add(element(document, "crack", i).find("pressure")->origin, "crack[" + std::to_string(i) + "].pressure",
+                   "and [crack_water] both fill this crack; accepted: one of them");
+}
+
 }  // namespace
 
 std::string_view word_of(Analysis analysis) {
@@ -278,6 +294,7 @@ void check_together(const Node& document, const Scene& scene, Findings& findings
   check_density(document, scene, findings);
   check_propagation(document, scene, findings);
   if (scene.foundation) check_founded_boundary(document, scene, findings);
+  check_crack_faces(document, scene, findings);
   if (scene.analysis == Analysis::static_ && findings.count() == before) check_held(document, scene, findings);
 }
 

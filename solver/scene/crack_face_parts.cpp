@@ -38,15 +38,17 @@ Table<Contact> contact_table() {
                                                  .unit = "m",
                                                  .range = positive(),
                                                  .meaning = "largest penetration accepted"}),
-           key(&Contact::friction_coefficient,
-               {.name = "friction_coefficient", .range = at_least(0.0), .meaning = "Coulomb"})}};
+           key(&Contact::friction_coefficient, {.name = "friction_coefficient",
+                                                .range = at_least(0.0),
+                                                .meaning = "Coulomb, with the memory of where the faces stuck"})}};
 }
 
 Table<CrackWater> crack_water_table() {
   return {
       "crack_water",
       "[crack_water]",
-      "water in the cracks; absent: dry",
+      "water in the cracks, from the reservoir; at rest both models are the hydrostatic pressure of the mouth; absent: "
+      "dry",
       {choice(&CrackWater::model,
               Choices<CrackWaterModel>{{"uniform", CrackWaterModel::uniform}, {"moving", CrackWaterModel::moving}},
               {.name = "model", .meaning = "the mouth's pressure along the crack, or flow with cavitation"}),

@@ -11,7 +11,7 @@ Table<Reservoir> reservoir_table() {
   return {
       "reservoir",
       "[reservoir]",
-      "water behind the dam",
+      "water behind the dam; in a static scene every model is standing water up to `level`",
       {key(&Reservoir::boundary, {.name = "boundary", .meaning = "wet face; with `level`"}),
        key(&Reservoir::level, {.name = "level", .unit = "m", .meaning = "y of the free surface"}),
        key(&Reservoir::depth, {.name = "depth",

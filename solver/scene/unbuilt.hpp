@@ -11,8 +11,6 @@ namespace sunder::scene {
 
 inline constexpr std::array unbuilt_tables = {
     std::string_view("reservoir"),      //
-    std::string_view("contact"),        //
-    std::string_view("crack_water"),    //
     std::string_view("propagation"),    //
     std::string_view("ground_motion"),  //
     std::string_view("dynamics"),       //
@@ -26,8 +24,8 @@ inline constexpr std::array unbuilt_analyses = {
 
 /// A table of the list above that is built in this one analysis.
 constexpr bool built_in(std::string_view table, Analysis analysis) {
-  return (table == "crack_water" && analysis == Analysis::crack_water) ||
-         (table == "propagation" && analysis == Analysis::static_);
+  return (table == "propagation" && analysis == Analysis::static_) ||
+         (table == "reservoir" && analysis == Analysis::static_);
 }
 
 }  // namespace sunder::scene

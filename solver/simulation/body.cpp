@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "solver/crack/advance_tip.hpp"
 #include "solver/crack/insert_crack.hpp"
 #include "solver/mesh/divide.hpp"
 #include "solver/mesh/ground_block.hpp"
@@ -115,6 +116,22 @@ void append_near_field(const scene::Scene& scene, int material, mesh::PolygonMes
                       .max_polygons = scene.mesh.max_polygons});
 }
 
+/// A crack from face to face: first to the middle of its last segment, then on until it comes out.
+void cut_through(mesh::PolygonMesh& polygons, std::vector<Point> path, int number, const crack::CutOptions& options) {
+  const Point end = path.back();
+  path.back() = 0.5 * (path[path.size() - 2] + end);
+  crack::insert_crack(polygons, {.points = path}, number, options);
+  const int tip = static_cast<int>(polygons.cracks.size()) - 1;
+  // A little beyond the face: an advance ends at the first one that it meets.
+  const crack::Advance advance = crack::advance_tip(polygons, tip, end + 0.1 * (end - path.back()), options);
+  const double reach = 1e-6 * (end - path.back()).norm();
+  if (advance.event == crack::TipEvent::reached_boundary && (advance.tip - end).norm() <= reach) return;
+  const std::string place = "(" + std::to_string(end.x()) + ", " + std::to_string(end.y()) + ")";
+  throw crack::CrackError("crack " + std::to_string(number + 1) + ": does not come out at " + place +
+                          (advance.reason.empty() ? "" : ": " + advance.reason) +
+                          "; accepted with `through`: a path that ends on a face of the body");
+}
+
 crack::CutOptions cut_options(const scene::Scene& scene) {
   crack::CutOptions options;
   if (scene.mesh.cells == scene::Cells::one && !scene.mesh.list && !scene.mesh.file) {
@@ -151,8 +168,13 @@ Body build_body(const scene::Scene& scene, Ledger& ledger) {
                          .edge_size = scene.mesh.edge_size};
   for (std::size_t i = 0; i < scene.cracks.size(); ++i) {
     const Ledger::Visit visit(ledger, "crack", "mesh");
-    crack::insert_crack(body.polygons, {.points = scene.cracks[i].path, .inner = scene.cracks[i].inner},
-                        static_cast<int>(i), body.discretisation.cut);
+    const scene::Crack& wanted = scene.cracks[i];
+    if (wanted.through) {
+      cut_through(body.polygons, wanted.path, static_cast<int>(i), body.discretisation.cut);
+    } else {
+      crack::insert_crack(body.polygons, {.points = wanted.path, .inner = wanted.inner}, static_cast<int>(i),
+                          body.discretisation.cut);
+    }
   }
   {
     Ledger::Visit visit(ledger, "mesh", "mesh");

@@ -4,6 +4,7 @@
 
 #include "solver/fracture/kink_angle.hpp"
 #include "solver/sbfem/assembly.hpp"
+#include "solver/simulation/standing_water.hpp"
 #include "solver/simulation/tips.hpp"
 
 namespace sunder::simulation {
@@ -62,6 +63,14 @@ void add_cracks(const scene::Scene& scene, const Body& body, const sbfem::Format
   summary.quantities["crack_mouth_opening"] = openings.size() == 1 ? Quantity(openings.front()) : Quantity(openings);
 }
 
+void warn_of_dry_cracks(const scene::Scene& scene, const Body& body, results::RunSummary& summary) {
+  for (int tip = 0; tip < static_cast<int>(body.polygons.cracks.size()); ++tip) {
+    if (resting_water(scene, body, tip)) return;
+  }
+  summary.warnings.push_back(
+      "[crack_water] presses on no crack: no mouth lies on the reservoir's boundary below its level");
+}
+
 }  // namespace
 
 double StaticState::strain_energy() const {
@@ -87,10 +96,19 @@ StaticState static_state(const scene::Scene& scene, const Body& body, const sbfe
   state.force = boundary_forces(scene, body) + state.interior.force + crack_face_forces(scene, body);
   {
     Ledger::Visit visit(ledger, "numerics", "solution");
-    state.solution = solve_static(state.stiffness, state.force, supports.constraints);
-    visit.add_entries(state.solution.factor_entries);
+    const StaticEquations equations(state.stiffness, supports.constraints);
+    ledger.count("factorisations");
+    visit.add_entries(equations.factor().entries());
+    if (scene.contact && equations.ready()) {
+      Ledger::Visit touching(ledger, "contact", "contact");
+      state.contact = solve_with_contact(*scene.contact, body, equations, state.force);
+      touching.add_entries(state.contact->matrix_entries);
+      ledger.count("contact iterations", state.contact->contact.iterations);
+      state.solution = state.contact->solution;
+    } else {
+      state.solution = equations.solve(state.force);
+    }
   }
-  ledger.count("factorisations");
   return state;
 }
 
@@ -112,6 +130,11 @@ void add_static_quantities(const scene::Scene& scene, const Body& body, const sb
   summary.quantities["max_displacement"] = std::sqrt(u.reshaped(2, u.size() / 2).colwise().squaredNorm().maxCoeff());
   summary.quantities["residual"] = state.solution.residual;
   summary.quantities["reactions"] = reactions(scene, supports, state.solution.reaction);
+  if (state.contact) {
+    summary.quantities["contact"] = contact_quantity(*state.contact);
+    if (!state.contact->holds()) summary.status = "stopped: contact of the crack faces: " + state.contact->reason();
+  }
+  if (scene.crack_water) warn_of_dry_cracks(scene, body, summary);
   if (!scene.cracks.empty()) {
     const Ledger::Visit visit(ledger, "fracture", "tips");
     add_cracks(scene, body, formation, u, summary);

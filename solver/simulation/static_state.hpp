@@ -13,6 +13,7 @@
 #include "solver/simulation/body.hpp"
 #include "solver/simulation/ledger.hpp"
 #include "solver/simulation/polygon_loads.hpp"
+#include "solver/simulation/static_contact.hpp"
 #include "solver/simulation/static_loads.hpp"
 #include "solver/simulation/static_solution.hpp"
 
@@ -22,7 +23,8 @@ struct StaticState {
   Eigen::SparseMatrix<double> stiffness;  ///< (dofs, dofs), lower triangle
   Eigen::VectorXd force;                  ///< (dofs) [N/m]
   InteriorLoads interior;
-  StaticSolution solution;  ///< its status says whether the numbers came out
+  std::optional<StaticContact> contact;  ///< where the scene has [contact]
+  StaticSolution solution;               ///< its status says whether the numbers came out
 
   double strain_energy() const;  ///< [J/m]
   /// Strain energy less the work of the loads [J/m]: its decrease over growth is what the growth has released.

@@ -4,6 +4,7 @@ namespace sunder::verification {
 
 const Studies& studies() {
   static const Studies all{
+      {"contact-history", run_contact_history},
       {"one-polygon", run_one_polygon},
       {"jitter", run_jitter},
 #ifdef SUNDER_HAS_SIMULATION

@@ -34,4 +34,8 @@ StudyOutput run_jitter(const StudyInput& input);
 /// energy_drift.
 StudyOutput run_time_step(const StudyInput& input);
 
+/// "contact-history": the faces of one crack under a history of loads, solved warm: difference of the forces from exact
+/// contact by another method, largest penetration, restless states.
+StudyOutput run_contact_history(const StudyInput& input);
+
 }  // namespace sunder::verification
