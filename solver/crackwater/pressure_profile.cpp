@@ -140,24 +140,24 @@ Residual PressureSolver::through_residual(double c, bool wants_slope) {
   const Loss loss = range_loss(c, 0, n, wants_slope);
   const double weight = table_.weight(n);
   return {(upstream_ - downstream_ - weight) - loss.value, -loss.slope,
-          round_off(loss.magnitude + upstream_ + downstream_ + std::abs(weight))};
+          round_off(loss.magnitude + upstream_ + downstream_ + table_.climb())};
 }
 
 std::pair<double, double> PressureSolver::flux_bracket() const {
   const int n = table_.count();
   const double cubes = table_.inverse_cubes(0, n);
-  double head_in = std::max(upstream_ - downstream_, 0.0), head_back = std::max(downstream_ - upstream_, 0.0);
+  const double head_in = std::max(upstream_ - downstream_, 0.0) + table_.climb();
+  const double head_back = std::max(downstream_ - upstream_, 0.0) + table_.climb();
   double run_back = 0.0;
   if (table_.inclined()) {
     for (int i = 0; i < n; ++i) {
       const double rise = table_.weight(i + 1) - table_.weight(i);
-      head_in += std::abs(rise);
-      head_back += std::abs(rise);
       const double w = std::max(table_.aperture(i), table_.aperture(i + 1));
       run_back = std::max(run_back, flux_of_resistance(table_.law(), rise / table_.length(i) * w * w * w));
     }
   }
-  const double widening = 1.0 + 16.0 * epsilon;
+  const double widening =
+      1.0 + 1e-12;  // more than the round-off of the sums: the flux may be just that of a resting crack
   return {table_.least_change() - widening * (flux_of_resistance(table_.law(), head_back / cubes) + run_back),
           table_.greatest_change() + widening * flux_of_resistance(table_.law(), head_in / cubes)};
 }

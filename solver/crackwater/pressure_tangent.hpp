@@ -25,7 +25,9 @@ struct PressureTangent {
   Eigen::MatrixXd pressure;     ///< ∂p_i/∂x_j [Pa/m], [Pa s/m], [1], [1]
   Eigen::MatrixXd nodal_force;  ///< ∂f_i/∂x_j of the consistent nodal forces [Pa], [Pa s], [m], [m]
 
-  Eigen::RowVectorXd change, constant, running;  ///< room to work: δV, δc, δp
+  /// Room to work: a row a segment (a node), see pressure_tangent.cpp.
+  Eigen::ArrayXXd segments;
+  Eigen::ArrayXd by_change, by_constant, running;
 };
 
 /// The tangent of the last `solve` of `solver`; allocates nothing. Zero after a solve with unusable input and after

@@ -72,8 +72,8 @@ std::vector<double> nodal(const std::vector<double>& given, int segments) {
   if (given.size() == nodes) return given;
   std::vector<double> values(nodes);
   for (std::size_t node = 0; node < nodes; ++node) {
-    const double x = static_cast<double>(node) / segments;
-    values[node] = (1.0 - x) * given.front() + x * given.back();
+    // exact where both ends are equal: faces that just touch their roughness must do so everywhere
+    values[node] = std::lerp(given.front(), given.back(), static_cast<double>(node) / segments);
   }
   return values;
 }

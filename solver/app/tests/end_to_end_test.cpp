@@ -137,6 +137,21 @@ TEST(EndToEnd, ABodyThatIsOnePolygonComesThrough) {
   EXPECT_NE(folder.read("block-results/summary.json").find("\"polygons\": 1"), std::string::npos);
 }
 
+TEST(EndToEnd, FieldsAreTheSameBytesForOneAndTwoThreads) {
+  const TestFolder folder;
+  static_cast<void>(folder.write("block.toml", block_scene));
+  for (const char* threads : {"1", "2"}) {
+    EXPECT_EQ(wait_for(start({"run", "block.toml", "--set", "output.fields_every=1", "--threads", threads, "--output",
+                              std::string("with-") + threads},
+                             folder)),
+              0)
+        << folder.read("err.txt");
+  }
+  const std::string one = folder.read("with-1/results.h5");
+  EXPECT_FALSE(one.empty());
+  EXPECT_TRUE(one == folder.read("with-2/results.h5"));
+}
+
 TEST(EndToEnd, CtrlCLeavesAWholeSummaryOrNone) {
   const TestFolder folder;
   static_cast<void>(folder.write("block.toml", block_scene));

@@ -9,6 +9,7 @@ const Studies& studies() {
       {"jitter", run_jitter},
 #ifdef SUNDER_HAS_SIMULATION
       {"scene", run_scene},
+      {"crack-water-motion", run_crack_water_motion},
       {"polynomial-patch", run_polynomial_patch},
       {"time-step", run_time_step},
 #endif

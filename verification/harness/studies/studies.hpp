@@ -22,6 +22,14 @@ StudyOutput run_polynomial_patch(const StudyInput& input);
 /// with `stress` = 1 (it is 0 otherwise) stress_error of its polynomials inside.
 StudyOutput run_one_polygon(const StudyInput& input);
 
+/// "crack-water-motion": a uniform crack with a closed tip (`aperture`, `length`, `segments`, `pressure` at its mouth,
+/// `viscosity`), full up to `start`, that breathes (`motion` = "breathing": aperture · (1 + amplitude · sin 2 π t)) or
+/// moves by `rate` · time_step to and fro ("flipping") for `duration`. With a `time_step` it is marched:
+/// front_position, water_volume_error (of the water moved), water_error (of that moved and held), least_pressure,
+/// least_void, pressure_times_void, most_water (relative to the capacity of a node). Without one its front is tracked
+/// to `tolerance`: front_position.
+StudyOutput run_crack_water_motion(const StudyInput& input);
+
 /// "jitter": the same polygon `runs` times with every coordinate moved by one unit in the last place or not: spread and
 /// decimal digits that stiffness and mass keep.
 StudyOutput run_jitter(const StudyInput& input);
