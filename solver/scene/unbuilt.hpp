@@ -10,22 +10,19 @@
 namespace sunder::scene {
 
 inline constexpr std::array unbuilt_tables = {
-    std::string_view("reservoir"),      //
-    std::string_view("propagation"),    //
-    std::string_view("ground_motion"),  //
-    std::string_view("dynamics"),       //
-    std::string_view("response"),       //
+    std::string_view("reservoir"),    //
+    std::string_view("propagation"),  //
+    std::string_view("response"),     //
 };
 
 inline constexpr std::array unbuilt_analyses = {
-    Analysis::dynamic,
     Analysis::response,
 };
 
 /// A table of the list above that is built in this one analysis.
 constexpr bool built_in(std::string_view table, Analysis analysis) {
-  return (table == "propagation" && analysis == Analysis::static_) ||
-         (table == "reservoir" && analysis == Analysis::static_);
+  return (table == "propagation" || table == "reservoir") &&
+         (analysis == Analysis::static_ || analysis == Analysis::dynamic);
 }
 
 }  // namespace sunder::scene
