@@ -6,37 +6,19 @@
 
 #include <benchmark/benchmark.h>
 
-#include <atomic>
 #include <cmath>
-#include <cstdlib>
-#include <new>
 #include <string>
 #include <vector>
 
 #include "solver/crackwater/filling_march.hpp"
 #include "solver/crackwater/pressure_profile.hpp"
 #include "solver/crackwater/pressure_tangent.hpp"
-
-namespace {
-std::atomic<long> allocations{0};
-}
-
-// Counting replacements of the global operators; not inlined, or GCC takes malloc and delete for a mismatch.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  allocations.fetch_add(1, std::memory_order_relaxed);
-  if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
+#include "solver/numerics/tests/allocation_count.hpp"
 
 namespace {
 
 using namespace sunder::crackwater;
+using sunder::numerics::allocations;
 
 constexpr double head = 490500.0;  // Pa
 constexpr int reference_segments = 450;

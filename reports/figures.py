@@ -217,6 +217,27 @@ def convergence(key, series, quantity, size_label):
         return Figure(key, _element(figure, key, caption), caption)
 
 
+def pressure_along_crack(key, curves, caption):
+    """Pressures in MPa over the distance from the upstream mouth, all of them above, the low ones by themselves below;
+    `curves`: with name, positions, pressures."""
+    if not curves or not all(max(c.pressures) > 0 for c in curves):
+        raise FigureError(f"{key}: a curve without pressure")
+    ordered = sorted((max(c.pressures) for c in curves), reverse=True)
+    with plt.rc_context(STYLE):
+        figure, (whole, low) = plt.subplots(2, 1, figsize=(SIZE[0], SIZE[1] + 1.2), layout="constrained", sharex=True)
+        for axes, limit in ((whole, ordered[0]), (low, next((p for p in ordered if p < 0.5 * ordered[0]), ordered[0]))):
+            for i, c in enumerate(curves):
+                if max(c.pressures) > limit:
+                    continue
+                axes.plot(c.positions, c.pressures, color=SERIES[i], linestyle=("-", "--", "-.", ":")[i % 4], linewidth=1.8, label=c.name)
+            axes.set_ylim(0, 1.08 * limit)
+            axes.set_xlim(0, curves[0].positions[-1])
+            axes.set_ylabel("pressure, MPa")
+        low.set_xlabel("distance from the upstream mouth, m")
+        low.legend(*whole.get_legend_handles_labels(), loc="upper center", bbox_to_anchor=(0.45, -0.25), ncols=3, handlelength=2.4, columnspacing=1.4, borderaxespad=0.2)
+        return Figure(key, _element(figure, key, caption), caption)
+
+
 def cost(key, series, x_label, y_label, caption):
     """Time over size, log-log; `series`: name -> [(size, seconds)]."""
     if not series or not all(series.values()):

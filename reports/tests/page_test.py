@@ -1,5 +1,6 @@
 """The page: what it says, that it is the same bytes for the same records, and how it behaves in a real browser."""
 import functools
+import json
 import os
 import pathlib
 import subprocess
@@ -8,7 +9,7 @@ import tempfile
 import unittest
 import unittest.mock
 
-from reports import evidence, figures, page, pdf, records, scenes
+from reports import crack_water, evidence, figures, page, pdf, records, scenes
 from reports.bibliography import Work
 from reports.browser import Browser
 from reports.front import Point
@@ -167,6 +168,22 @@ class Missing(Folder):
         (self.folder / "scenes/dam/summary.json").write_text('{"status": "stopped: no"}')
         with self.assertRaisesRegex(LayoutError, "stopped: no"):
             scenes.read(self.folder / "scenes", layout)
+
+    def test_crack_water_shows_what_was_printed_beside_ours(self):
+        layout = {"crack_water": {"title": "a", "words": "b", "caption": "c", "length": 4.0,
+                                  "curve": [{"name": "opening", "run": "x", "printed": "1.2"}, {"name": "resting", "run": "y", "printed": "14.7"}],
+                                  "ratio": [{"of": "opening", "to": "resting", "printed": "8.2 %"}]}}
+        with self.assertRaisesRegex(LayoutError, "crack_water: .*x/summary.json is not there"):
+            crack_water.read(self.folder, layout)
+        for name, uplift, pressure in (("x", 1.2332014e6, [4e5, 1e5, 0.0]), ("y", 14.715e6, [4e5, 3e5, 0.0])):
+            (self.folder / name).mkdir()
+            (self.folder / name / "summary.json").write_text(
+                json.dumps({"status": "completed", "quantities": {"uplift_force": uplift, "pressure": pressure}}))
+        shown = crack_water.read(self.folder, layout)[0]
+        self.assertEqual(shown.rows[0], ("uplift, opening", "1.2332 MN/m; printed 1.2"))
+        self.assertEqual(shown.rows[2], ("opening / resting", "8.38 %; printed 8.2 %"))
+        self.assertEqual(shown.picture.count('stroke: var(--s1)') > 0, True)
+        self.assertEqual(crack_water.read(self.folder, {}), [])
 
     def test_no_ladder(self):
         with self.assertRaisesRegex(LayoutError, "no ladder"):

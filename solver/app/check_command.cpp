@@ -26,6 +26,7 @@ std::string parts_of(const scene::Scene& scene) {
   count(scene.loads.size(), "load");
   if (scene.gravity) add("gravity");
   if (scene.modal) add(std::to_string(scene.modal->count) + " natural frequencies");
+  if (scene.output && scene.output->fields_every > 0) add("fields");
   return text;
 }
 

@@ -27,6 +27,17 @@ void check_output(const fs::path& folder) {
   if (::access(existing.c_str(), W_OK | X_OK) != 0) refuse(std::errc::permission_denied);
 }
 
+/// The history first: a folder with a summary is whole. One that an earlier run left there would belong to nothing.
+void write_results(const results::RunSummary& summary, const fs::path& folder, const fs::path& file) {
+  const fs::path history = folder / "history.csv";
+  if (summary.history) {
+    results::write_atomically(history, results::to_csv(*summary.history));
+  } else {
+    fs::remove(history);
+  }
+  results::write_atomically(file, results::to_json(summary));
+}
+
 void report(const results::RunSummary& summary, const fs::path& file, const Console& console) {
   console.out << summary.name << ": " << summary.analysis << ", " << summary.mesh.polygons << " polygons, "
               << summary.mesh.dofs << " unknowns\n"
@@ -49,12 +60,13 @@ int run_command(const Arguments& arguments, const Console& console, const Solver
     const simulation::RunOptions options{
         .threads = arguments.threads,
         .progress = [&progress](std::string_view phase, double fraction) { progress.show(phase, fraction); },
-        .stop = &watch.stop()};
+        .stop = &watch.stop(),
+        .output = folder};
     at_its_place(scene, [&] { summary = solver.run(scene, options); });
   }
   results::stop_if_not_finite(summary);
   const fs::path file = folder / "summary.json";
-  results::write_atomically(file, results::to_json(summary));
+  write_results(summary, folder, file);
 
   if (!arguments.quiet) report(summary, file, console);
   for (const std::string& warning : summary.warnings) console.err << "warning: " << warning << '\n';

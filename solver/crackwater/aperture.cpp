@@ -16,7 +16,7 @@ Aperture aperture(double opening, double opening_rate, double minimum_aperture, 
       bound = minimum_aperture;
       break;
     case ApertureRule::sum:
-      offset = minimum_aperture;
+      (planted_fault("crackwater/sum-as-larger") ? bound : offset) = minimum_aperture;
       break;
   }
   const bool follows = opening > bound || (opening == bound && opening_rate > 0.0);

@@ -2,35 +2,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
+#include "solver/crackwater/check.hpp"
 #include "solver/crackwater/lanes.hpp"
 
 namespace sunder::crackwater {
 
-namespace {
-
-/// sum += value, keeping what rounding drops in `rest` [Neumaier 1974].
-void add(double& sum, double& rest, double value) {
-  const double total = sum + value, part = total - sum;
-  rest += (sum - (total - part)) + (value - part);
-  sum = total;
-}
-
-}  // namespace
-
 FillingMarch::FillingMarch(const CrackLine& line, const Water& water, std::span<const double> apertures,
                            const MarchOptions& options)
-    : solver_(line, water, {.search = options.search}) {
+    : water_(water), options_(options), solver_(line, water, {.search = options.search}) {
   const std::size_t nodes = line.lengths.size() + 1;
   check(line, apertures, std::vector<double>(nodes, 0.0));
+  allocate(nodes);
+  capacities(apertures, state_.capacities);
+  if (!options.initially_full) state_.voids = state_.capacities;
+  state_.content = first_content_ = total_content();
+  state_.front_position = front_position();
+}
+
+void FillingMarch::allocate(std::size_t nodes) {
   for (auto* values : {&state_.voids, &state_.capacities, &next_capacities_, &changes_, &rates_})
     values->assign(nodes, 0.0);
   flux_.assign(nodes - 1, 0.0);
   full_.assign(nodes, 0);
-  capacities(apertures, state_.capacities);
-  if (!options.initially_full) state_.voids = state_.capacities;
-  state_.content = first_content_ = total_content();
-  state_.front_position = options.initially_full ? solver_.table().position(static_cast<int>(nodes) - 1) : 0.0;
 }
 
 void FillingMarch::capacities(std::span<const double> apertures, std::vector<double>& values) const {
@@ -52,8 +48,9 @@ double FillingMarch::total_content() const {
 }
 
 /// Fluxes over the segments and the mouths, and which nodes are full, from the wet regions of the solve.
-void FillingMarch::fluxes(const MouthPressures& mouths) {
+void FillingMarch::fluxes() {
   const SegmentTable& table = solver_.table();
+  const MouthPressures& mouths = solver_.mouths();
   const int n = table.count();
   std::fill(flux_.begin(), flux_.end(), 0.0);
   std::fill(full_.begin(), full_.end(), static_cast<char>(0));
@@ -89,11 +86,11 @@ void FillingMarch::fluxes(const MouthPressures& mouths) {
   }
 }
 
-const MarchState& FillingMarch::step(std::span<const double> apertures, const MouthPressures& mouths,
-                                     double time_step) noexcept {
+const PressureProfile& FillingMarch::trial(std::span<const double> apertures, const MouthPressures& mouths,
+                                           double time_step) noexcept {
   const std::size_t nodes = state_.voids.size();
-  state_.status = ProfileStatus::unusable_input;
-  if (apertures.size() != nodes || !(time_step > 0.0) || !std::isfinite(time_step)) return state_;
+  tried_ = false;
+  if (apertures.size() != nodes || !(time_step > 0.0) || !std::isfinite(time_step)) return solver_.give_nothing();
   capacities(apertures, next_capacities_);
   CompensatedSum change;
   for (std::size_t node = 0; node < nodes; ++node) {
@@ -101,44 +98,112 @@ const MarchState& FillingMarch::step(std::span<const double> apertures, const Mo
     change.add(rates_[node]);
     changes_[node] = change.value();
   }
-  if (!solver_.table_for_march().fill_steps(apertures, changes_)) return state_;
+  if (!solver_.table_for_march().fill_steps(apertures, changes_)) return solver_.give_nothing();
   if (state_.steps > 0) solver_.suggest(upstream_flux_);
   const PressureProfile& profile = solver_.solve_filled(mouths);
-  state_.status = profile.status;
-  if (profile.status == ProfileStatus::unusable_input) return state_;
+  tried_ = profile.status != ProfileStatus::unusable_input;
+  if (tried_) time_step_ = time_step;
+  return profile;
+}
 
-  fluxes(mouths);
+const MarchState& FillingMarch::accept() noexcept {
+  if (!tried_) return state_;
+  tried_ = false;
+  const PressureProfile& profile = solver_.profile();
+  const std::size_t nodes = state_.voids.size();
+  state_.status = profile.status;
+  fluxes();
   for (std::size_t node = 0; node < nodes; ++node) {
     const double in = node == 0 ? upstream_flux_ : flux_[node - 1];
     const double out = node + 1 == nodes ? downstream_flux_ : flux_[node];
     const double next =
-        state_.voids[node] + (next_capacities_[node] - state_.capacities[node]) - time_step * (in - out);
+        state_.voids[node] + (next_capacities_[node] - state_.capacities[node]) - time_step_ * (in - out);
     state_.voids[node] = full_[node] ? 0.0 : std::clamp(next, 0.0, next_capacities_[node]);
   }
   std::swap(state_.capacities, next_capacities_);
-  state_.time += time_step;
-  add(state_.inflow, inflow_rest_, time_step * upstream_flux_);
-  add(state_.outflow, outflow_rest_, time_step * downstream_flux_);
-  state_.moved += time_step * (std::abs(upstream_flux_) + std::abs(downstream_flux_));
+  state_.time += time_step_;
+  inflow_.add(time_step_ * upstream_flux_);
+  outflow_.add(time_step_ * downstream_flux_);
+  state_.inflow = inflow_.value();
+  state_.outflow = outflow_.value();
+  state_.moved += time_step_ * (std::abs(upstream_flux_) + std::abs(downstream_flux_));
   state_.content = total_content();
-  state_.balance_error =
-      ((state_.content - first_content_) - (state_.inflow - state_.outflow)) - (inflow_rest_ - outflow_rest_);
+  state_.balance_error = (state_.content - first_content_) - (state_.inflow - state_.outflow);
   state_.residual_evaluations += profile.residual_evaluations;
   state_.gradient_evaluations += profile.gradient_evaluations;
   ++state_.steps;
+  state_.front_position = front_position();
+  return state_;
+}
 
+const MarchState& FillingMarch::step(std::span<const double> apertures, const MouthPressures& mouths,
+                                     double time_step) noexcept {
+  state_.status = trial(apertures, mouths, time_step).status;
+  return accept();
+}
+
+double FillingMarch::front_position() const {
   const SegmentTable& table = solver_.table();
   const auto first_void = std::find_if(state_.voids.begin(), state_.voids.end(), [](double v) { return v > 0.0; });
   const int node = static_cast<int>(first_void - state_.voids.begin()), n = table.count();
-  if (node > n) {
-    state_.front_position = table.position(n);
-  } else {
-    const double before = node > 0 ? 0.5 * table.length(node - 1) : 0.0,
-                 after = node < n ? 0.5 * table.length(node) : 0.0;
-    const double filled = 1.0 - *first_void / state_.capacities[static_cast<std::size_t>(node)];
-    state_.front_position = table.position(node) - before + filled * (before + after);
+  if (node > n) return table.position(n);
+  const double before = node > 0 ? 0.5 * table.length(node - 1) : 0.0,
+               after = node < n ? 0.5 * table.length(node) : 0.0;
+  const double filled = 1.0 - *first_void / state_.capacities[static_cast<std::size_t>(node)];
+  return table.position(node) - before + filled * (before + after);
+}
+
+void FillingMarch::grow(const CrackLine& line, std::span<const double> apertures) {
+  const std::size_t nodes = line.lengths.size() + 1;
+  PressureSolver longer(line, water_, {.search = options_.search});
+  check(line, apertures, std::vector<double>(nodes, 0.0));
+  const SegmentTable &before = solver_.table(), &after = longer.table();
+  const double reach = before.position(before.count()), length = after.position(after.count());
+  // lengths that were added up in another order may differ by their round-off
+  if (length < reach * (1.0 - 1e-12)) refuse("length of the grown crack", length, "at least that before");
+  const auto border = [](const SegmentTable& table, int node) {  // where the volume of `node` ends
+    return table.position(node) + (node < table.count() ? 0.5 * table.length(node) : 0.0);
+  };
+  std::vector<double> water(nodes, 0.0);
+  int owner = 0;
+  double from = 0.0;
+  for (int node = 0; node <= before.count(); ++node) {
+    const std::size_t k = static_cast<std::size_t>(node);
+    const double start = from, end = border(before, node), held = state_.capacities[k] - state_.voids[k];
+    double given = 0.0;
+    for (; owner < after.count() && border(after, owner) < end; ++owner) {
+      const double share = held * (border(after, owner) - from) / (end - start);
+      water[static_cast<std::size_t>(owner)] += share;
+      given += share;
+      from = border(after, owner);
+    }
+    water[static_cast<std::size_t>(owner)] += held - given;
+    from = end;
   }
-  return state_;
+  solver_ = std::move(longer);
+  allocate(nodes);
+  capacities(apertures, state_.capacities);
+  for (std::size_t node = 0; node < nodes; ++node) state_.voids[node] = state_.capacities[node] - water[node];
+  carry_excess();
+  state_.content = total_content();
+  state_.front_position = front_position();
+  upstream_flux_ = downstream_flux_ = std::numeric_limits<double>::quiet_NaN();  // no guess for the next search
+  tried_ = false;
+}
+
+/// Voids below zero are water that a node cannot hold: towards the tip, then back to the mouth and out.
+void FillingMarch::carry_excess() {
+  double excess = 0.0;
+  const auto pass = [&](double& free) {
+    free -= excess;
+    excess = std::max(-free, 0.0);
+    free = std::max(free, 0.0);
+  };
+  std::for_each(state_.voids.begin(), state_.voids.end(), pass);
+  std::for_each(state_.voids.rbegin(), state_.voids.rend(), pass);
+  inflow_.add(-excess);
+  state_.inflow = inflow_.value();
+  state_.moved += excess;
 }
 
 }  // namespace sunder::crackwater

@@ -11,6 +11,10 @@
 /// is full, and fronts, islands and voids come out with it. The order is one in time and segment length jointly. Water
 /// is conserved by construction: a flux that leaves one node enters the next. Where the crack is not full water stands
 /// until it is pressed: it does not run down an inclined crack.
+///
+/// A step that is solved together with the structure is tried as often as the structure asks, always from the same
+/// state, and then accepted; pressure_tangent.hpp has the derivatives of a trial with respect to the apertures at its
+/// end. A crack that grows keeps its water where it was; its new part is dry.
 
 #include <span>
 #include <vector>
@@ -45,26 +49,50 @@ class FillingMarch {
   FillingMarch(const CrackLine& line, const Water& water, std::span<const double> apertures,
                const MarchOptions& options = {});
 
-  /// One step of `time_step` [s] > 0 that ends with these apertures and mouth pressures. Allocates and throws nothing;
-  /// after a status other than `converged` the state is that of the best answer, after `unusable_input` that before the
-  /// step.
+  /// The pressures of a step of `time_step` [s] > 0 from the state to these apertures and mouth pressures. The state
+  /// stays: the same trial gives the same bits however many came before. Allocates and throws nothing.
+  const PressureProfile& trial(std::span<const double> apertures, const MouthPressures& mouths,
+                               double time_step) noexcept;
+
+  /// Makes the last trial the state: with its best answer where it did not converge. Nothing happens where its input
+  /// was unusable, or where there was none since the last `accept`.
+  const MarchState& accept() noexcept;
+
+  /// `trial` and `accept`; the state has the status of the trial.
   const MarchState& step(std::span<const double> apertures, const MouthPressures& mouths, double time_step) noexcept;
 
+  /// Goes on with a crack that reaches at least as far as before from the same mouth, divided as `line` says, with
+  /// `apertures` [m], (its segments + 1), > 0. Each node's water is spread evenly over its half segments and handed to
+  /// the nodes that now own the place; where a node cannot hold it all the rest goes to the next that can, and what the
+  /// whole crack cannot hold leaves through the upstream mouth. No water is lost. The new part is dry. Allocates.
+  /// Throws std::invalid_argument naming the value and its bound.
+  void grow(const CrackLine& line, std::span<const double> apertures);
+
   const MarchState& state() const { return state_; }
-  /// Pressures of the last step.
+  /// Pressures of the last trial or step.
   const PressureProfile& profile() const { return solver_.profile(); }
+  const PressureSolver& solver() const { return solver_; }
+  double trial_time_step() const { return time_step_; }  ///< of the last trial [s]; 0 before the first
 
  private:
-  void fluxes(const MouthPressures& mouths);
+  void allocate(std::size_t nodes);
+  void fluxes();
   void capacities(std::span<const double> apertures, std::vector<double>& values) const;
   double total_content() const;
+  double front_position() const;
+  void carry_excess();
 
+  Water water_;
+  MarchOptions options_;
   PressureSolver solver_;
   MarchState state_;
   std::vector<double> next_capacities_, changes_, rates_, flux_;
   std::vector<char> full_;
-  double inflow_rest_ = 0.0, outflow_rest_ = 0.0, first_content_ = 0.0;
-  double upstream_flux_ = 0.0, downstream_flux_ = 0.0;
+  numerics::CompensatedSum inflow_, outflow_;
+  double first_content_ = 0.0;
+  double upstream_flux_ = 0.0, downstream_flux_ = 0.0;  // of the last accepted step
+  double time_step_ = 0.0;
+  bool tried_ = false;
 };
 
 }  // namespace sunder::crackwater

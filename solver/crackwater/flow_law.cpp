@@ -41,7 +41,7 @@ FlowLaw flow_law(const Water& water) {
   law.laminar = 12.0 * water.dynamic_viscosity * (1.0 + 8.8 * r * std::sqrt(r));
   law.turbulent = water.density / (denominator * logarithm * logarithm);
   law.critical_flux = critical_reynolds_number * water.dynamic_viscosity / (2.0 * water.density);
-  law.weight = water.density * water.gravity;
+  law.weight = planted_fault("crackwater/weightless") ? 0.0 : water.density * water.gravity;
   if (planted_fault("crackwater/laminar-only")) law.critical_flux = std::numeric_limits<double>::infinity();
   return law;
 }

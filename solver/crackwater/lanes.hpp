@@ -4,7 +4,11 @@
 
 #include <cstring>
 
+#include "solver/numerics/compensated_sum.hpp"
+
 namespace sunder::crackwater {
+
+using numerics::CompensatedSum;
 
 inline constexpr int lane_count = 4;
 using Lanes = double __attribute__((vector_size(32)));
@@ -48,21 +52,6 @@ inline Lanes negated_with(Lanes lanes, Lanes sign) {
 inline Lanes cleared(Lanes lanes, LaneMask mask) {
   return from_bits(bits(lanes) & ~mask);
 }
-
-/// A running sum that keeps what rounding drops [Neumaier 1974].
-class CompensatedSum {
- public:
-  void add(double value) {
-    const double total = sum_ + value;
-    const double part = total - sum_;
-    rest_ += (sum_ - (total - part)) + (value - part);
-    sum_ = total;
-  }
-  double value() const { return sum_ + rest_; }
-
- private:
-  double sum_ = 0.0, rest_ = 0.0;
-};
 
 /// Sums run plainly within so many terms and compensated from one block to the next, so that their error does not grow
 /// with the crack.

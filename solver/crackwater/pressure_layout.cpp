@@ -145,7 +145,7 @@ void PressureSolver::lay_part(int i, double from, double to, double c, double sh
 double PressureSolver::lay(const Region& region, double c, double share) {
   PressureProfile& out = profile_;
   double p = region.start_pressure;
-  magnitude_ = std::max(magnitude_, upstream_ + downstream_);
+  magnitude_ = std::max(magnitude_, upstream_ + downstream_ + table_.climb());
   int first = region.start.segment;
   const bool inside = region.start.segment == region.end.segment;
   if (region.start.y > -1.0 || (inside && region.end.y < 1.0)) {

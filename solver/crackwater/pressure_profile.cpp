@@ -66,11 +66,12 @@ PressureSolver::PressureSolver(const CrackLine& line, const Water& water, const 
 
 const PressureProfile& PressureSolver::solve(std::span<const double> apertures, std::span<const double> rates,
                                              const MouthPressures& mouths) noexcept {
-  if (!table_.fill(apertures, rates)) {
-    reset({nan, {}});
-    return profile_;
-  }
-  return solve_filled(mouths);
+  return table_.fill(apertures, rates) ? solve_filled(mouths) : give_nothing();
+}
+
+const PressureProfile& PressureSolver::give_nothing() noexcept {
+  (void)reset({nan, {}});
+  return profile_;
 }
 
 bool PressureSolver::reset(const MouthPressures& mouths) {
@@ -84,6 +85,7 @@ bool PressureSolver::reset(const MouthPressures& mouths) {
   p.cavitated = p.at_regime_jump = false;
   p.residual_evaluations = 0;
   p.gradient_evaluations = 0;
+  mouths_ = mouths;
   open_ = mouths.downstream.has_value();
   upstream_ = std::max(mouths.upstream, 0.0);
   downstream_ = open_ ? std::max(*mouths.downstream, 0.0) : 0.0;
@@ -138,24 +140,24 @@ Residual PressureSolver::through_residual(double c, bool wants_slope) {
   const Loss loss = range_loss(c, 0, n, wants_slope);
   const double weight = table_.weight(n);
   return {(upstream_ - downstream_ - weight) - loss.value, -loss.slope,
-          round_off(loss.magnitude + upstream_ + downstream_ + std::abs(weight))};
+          round_off(loss.magnitude + upstream_ + downstream_ + table_.climb())};
 }
 
 std::pair<double, double> PressureSolver::flux_bracket() const {
   const int n = table_.count();
   const double cubes = table_.inverse_cubes(0, n);
-  double head_in = std::max(upstream_ - downstream_, 0.0), head_back = std::max(downstream_ - upstream_, 0.0);
+  const double head_in = std::max(upstream_ - downstream_, 0.0) + table_.climb();
+  const double head_back = std::max(downstream_ - upstream_, 0.0) + table_.climb();
   double run_back = 0.0;
   if (table_.inclined()) {
     for (int i = 0; i < n; ++i) {
       const double rise = table_.weight(i + 1) - table_.weight(i);
-      head_in += std::abs(rise);
-      head_back += std::abs(rise);
       const double w = std::max(table_.aperture(i), table_.aperture(i + 1));
       run_back = std::max(run_back, flux_of_resistance(table_.law(), rise / table_.length(i) * w * w * w));
     }
   }
-  const double widening = 1.0 + 16.0 * epsilon;
+  const double widening =
+      1.0 + 1e-12;  // more than the round-off of the sums: the flux may be just that of a resting crack
   return {table_.least_change() - widening * (flux_of_resistance(table_.law(), head_back / cubes) + run_back),
           table_.greatest_change() + widening * flux_of_resistance(table_.law(), head_in / cubes)};
 }
@@ -166,11 +168,28 @@ PressureSolver::Region PressureSolver::find(numerics::RootFunction residual, dou
   options.method = method_of(options_.search);
   options.max_evaluations = options_.max_evaluations;
   options.guess = guess_;
-  const bool to_round_off = options_.relative_tolerance == 0.0;
+  bool to_round_off = options_.relative_tolerance == 0.0;
   if (!to_round_off) options.relative_tolerance = options_.relative_tolerance;
   Region region;
   const bool prefix = use_prefix_;
   numerics::BracketedRoot root = bracketed_root(residual, lower, upper, options);
+  if (!to_round_off && root.status == numerics::RootStatus::bracket_within_tolerance) {
+    // Of the two ends the one with p ≥ 0 everywhere: the other would cavitate where the sought profile does not.
+    use_prefix_ = false;
+    const Residual low = residual(root.lower, false);
+    use_prefix_ = prefix;
+    // A loss grows no faster than the square of the flux: a smooth residual is smaller than this.
+    const double smooth = options_.relative_tolerance * low.floor / epsilon;
+    if (low.value >= -low.floor && low.value <= smooth) {
+      region.constant = region.constant_beyond = root.lower;
+      profile_.residual = std::max(profile_.residual, std::abs(low.value));
+      return region;
+    }
+    // It jumps inside the bracket, and only round-off tells where.
+    options.relative_tolerance = numerics::RootOptions{}.relative_tolerance;
+    root = bracketed_root(residual, lower, upper, options);
+    to_round_off = true;
+  }
   if (prefix) {  // confirm by sweeps what the prefix sums found
     use_prefix_ = false;
     const double found = root.root;

@@ -32,6 +32,7 @@
 #include "solver/crackwater/flow_law.hpp"
 #include "solver/crackwater/segment_table.hpp"
 #include "solver/numerics/bracketed_root.hpp"
+#include "solver/numerics/compensated_sum.hpp"
 
 namespace sunder::crackwater {
 
@@ -95,8 +96,6 @@ struct PressureProfile {
 /// other than (n + 1), apertures not finite and > 0, rates not finite.
 void check(const CrackLine& line, std::span<const double> apertures, std::span<const double> rates);
 
-class CompensatedSum;
-
 /// Solves one crack again and again; holds all memory, so that a solve allocates nothing and throws nothing.
 class PressureSolver {
  public:
@@ -134,6 +133,10 @@ class PressureSolver {
   /// For a march: the table filled by the caller.
   SegmentTable& table_for_march() { return table_; }
   const PressureProfile& solve_filled(const MouthPressures& mouths) noexcept;
+  /// The profile of unusable input.
+  const PressureProfile& give_nothing() noexcept;
+  /// Those of the last solve, as they were given.
+  const MouthPressures& mouths() const { return mouths_; }
 
  private:
   /// The lowest local minimum of the pressure for one c, and where it lies.
@@ -152,7 +155,7 @@ class PressureSolver {
   void mix(Region& region);
   void note_mixed_extremes(const Region& region);
   double lay(const Region& region, double c, double share);
-  void lay_block(int first, int last, double c, double share, CompensatedSum& pressure);
+  void lay_block(int first, int last, double c, double share, numerics::CompensatedSum& pressure);
   void lay_whole(int first, int last, double c, double share, double& pressure);
   struct Stretch;
   Stretch cut_stretch(int segment, double from, double to, double c) const;
@@ -178,7 +181,8 @@ class PressureSolver {
   PressureProfile profile_;
   std::vector<Region> regions_;
   std::vector<double> loss_, to_first_, to_last_;
-  double upstream_ = 0.0, downstream_ = 0.0;
+  MouthPressures mouths_;
+  double upstream_ = 0.0, downstream_ = 0.0;  // what counts of them
   double lowest_pressure_ = 0.0, magnitude_ = 0.0, peak_before_ = 0.0, peak_position_before_ = 0.0;
   double guess_ = std::numeric_limits<double>::quiet_NaN();
   bool open_ = false, use_prefix_ = false;

@@ -13,6 +13,7 @@
 
 #include <Eigen/Core>
 
+#include "solver/crackwater/filling_march.hpp"
 #include "solver/crackwater/pressure_profile.hpp"
 
 namespace sunder::crackwater {
@@ -24,11 +25,17 @@ struct PressureTangent {
   Eigen::MatrixXd pressure;     ///< ∂p_i/∂x_j [Pa/m], [Pa s/m], [1], [1]
   Eigen::MatrixXd nodal_force;  ///< ∂f_i/∂x_j of the consistent nodal forces [Pa], [Pa s], [m], [m]
 
-  Eigen::RowVectorXd change, constant, running;  ///< room to work: δV, δc, δp
+  /// Room to work: a row a segment (a node), see pressure_tangent.cpp.
+  Eigen::ArrayXXd segments;
+  Eigen::ArrayXd by_change, by_constant, running;
 };
 
 /// The tangent of the last `solve` of `solver`; allocates nothing. Zero after a solve with unusable input and after
 /// `uniform`, whose pressure does not follow the faces.
 void differentiate(const PressureSolver& solver, PressureTangent& tangent);
+
+/// The tangent of the last trial of `march` with respect to the apertures at the end of the step, which also set how
+/// much water must move; the columns of rates are zero. Allocates nothing.
+void differentiate(const FillingMarch& march, PressureTangent& tangent);
 
 }  // namespace sunder::crackwater

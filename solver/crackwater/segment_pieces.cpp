@@ -72,14 +72,14 @@ void insert(std::array<double, size>& values, int& count, double value) {
   values[at] = value;
 }
 
-/// What a moving cut at y adds to d loss/dc: the jump of φ / (w³ |v|).
-double jump_slope(const Segment& segment, double y, double jump) {
+}  // namespace
+
+double cut_slope(const Segment& segment, const FlowLaw& law, double y) {
+  const double jump = (law.turbulent * law.critical_flux - law.laminar) * law.critical_flux;
   const double speed = 2.0 / segment.length * std::abs(segment.linear + 2.0 * segment.quadratic * y);  // |v|
   const double w = aperture(segment, y);
   return jump / (w * w * w * speed);
 }
-
-}  // namespace
 
 Piece whole_piece(const Segment& segment, const FlowLaw& law, double c) {
   return piece_of(segment, law, c, -1.0, 1.0);
@@ -91,13 +91,12 @@ Loss loss_between(const Segment& segment, const FlowLaw& law, double c, double s
   Loss loss;
   std::array<double, 2> y{};
   if (std::isfinite(law.critical_flux)) {
-    const double jump = (law.turbulent * law.critical_flux - law.laminar) * law.critical_flux;
     for (const double target : {law.critical_flux, -law.critical_flux}) {
       const int found = crossings(segment, c - target, start, end, y);
       for (int k = 0; k < found; ++k) {
         const double at = y[static_cast<std::size_t>(k)];
         insert(cuts, count, at);
-        loss.slope += jump_slope(segment, at, jump);
+        loss.slope += cut_slope(segment, law, at);
       }
     }
   }
@@ -130,8 +129,12 @@ Loss loss_between(const Segment& segment, const FlowLaw& law, double c, double s
   return loss;
 }
 
-Pieces cut(const Segment& segment, const FlowLaw& law, double c, double start, double end, double extra) {
-  Pieces pieces;
+namespace {
+
+/// `at_switch` is called with each cut where |q| = q_c.
+template <class Action>
+int borders_of(const Segment& segment, const FlowLaw& law, double c, double start, double end, double extra,
+               std::array<double, 10>& borders, Action&& at_switch) {
   std::array<double, 9> cuts{};
   int count = 0;
   std::array<double, 2> y{};
@@ -141,19 +144,32 @@ Pieces cut(const Segment& segment, const FlowLaw& law, double c, double start, d
     for (int k = 0; k < found; ++k) {
       const double at = y[static_cast<std::size_t>(k)];
       insert(cuts, count, at);
-      if (target == 0.0) continue;
-      pieces.cut_slope +=
-          jump_slope(segment, at, (law.turbulent * law.critical_flux - law.laminar) * law.critical_flux);
+      if (target != 0.0) at_switch(at);
     }
   }
-  double from = start;
+  int stretches = 0;
+  borders[0] = start;
   for (int k = 0; k <= count; ++k) {
     const double to = k < count ? cuts[static_cast<std::size_t>(k)] : end;
-    if (to > from) {
-      pieces.piece[static_cast<std::size_t>(pieces.count++)] = piece_of(segment, law, c, from, to);
-      from = to;
-    }
+    if (to > borders[static_cast<std::size_t>(stretches)]) borders[static_cast<std::size_t>(++stretches)] = to;
   }
+  return stretches;
+}
+
+}  // namespace
+
+int cut_borders(const Segment& segment, const FlowLaw& law, double c, double start, double end, double extra,
+                std::array<double, 10>& borders) {
+  return borders_of(segment, law, c, start, end, extra, borders, [](double) {});
+}
+
+Pieces cut(const Segment& segment, const FlowLaw& law, double c, double start, double end, double extra) {
+  Pieces pieces;
+  std::array<double, 10> borders{};
+  pieces.count = borders_of(segment, law, c, start, end, extra, borders,
+                            [&](double y) { pieces.cut_slope += cut_slope(segment, law, y); });
+  for (std::size_t k = 0; k < static_cast<std::size_t>(pieces.count); ++k)
+    pieces.piece[k] = piece_of(segment, law, c, borders[k], borders[k + 1]);
   return pieces;
 }
 

@@ -25,6 +25,13 @@ struct Pieces {
 /// The stretch [start, end] of a segment for the constant c, cut at q = 0 and |q| = q_c and at `extra` (NaN: nowhere).
 Pieces cut(const Segment& segment, const FlowLaw& law, double c, double start, double end, double extra);
 
+/// The same cuts alone: borders[0] = start < … < borders[count] = end; returns the number of stretches between them.
+int cut_borders(const Segment& segment, const FlowLaw& law, double c, double start, double end, double extra,
+                std::array<double, 10>& borders);
+
+/// What a cut at y where |q| = q_c adds to d loss/dc as it moves: jump of φ / (w³ |v|).
+double cut_slope(const Segment& segment, const FlowLaw& law, double y);
+
 /// The whole segment as one piece, in the regime that its middle has.
 Piece whole_piece(const Segment& segment, const FlowLaw& law, double c);
 

@@ -78,7 +78,7 @@ SegmentTable::SegmentTable(const CrackLine& line, const FlowLaw& law, Quadrature
     if (line.rises.empty()) continue;
     z.add(line.rises[i]);
     weight_[i + 1] = law.weight * z.value();
-    inclined_ = inclined_ || law.weight * line.rises[i] != 0.0;
+    climb_ += std::abs(law.weight * line.rises[i]);
   }
   aperture_.assign(nodes, 1.0);
   for (auto* values : {&rate_, &change_}) values->assign(nodes, 0.0);

@@ -101,7 +101,8 @@ class SegmentTable {
   std::span<const double> lengths() const { return length_; }
   std::span<const double> positions() const { return position_; }
   double weight(int node) const { return weight_[static_cast<std::size_t>(node)]; }  ///< ρ g (z - z_mouth) [Pa]
-  bool inclined() const { return inclined_; }
+  bool inclined() const { return climb_ > 0.0; }
+  double climb() const { return climb_; }  ///< Σ |ρ g rise| [Pa]
   double rate(int node) const { return rate_[static_cast<std::size_t>(node)]; }
   double aperture(int node) const { return aperture_[static_cast<std::size_t>(node)]; }
   double length(int i) const { return length_[static_cast<std::size_t>(i)]; }
@@ -156,8 +157,8 @@ class SegmentTable {
   int count_, padded_;
   FlowLaw law_;
   Quadrature quadrature_;
-  bool inclined_ = false, steps_ = false;
-  double tip_step_ = 0.0;
+  bool steps_ = false;
+  double climb_ = 0.0, tip_step_ = 0.0;
   double least_rate_ = 0.0, greatest_rate_ = 0.0, least_change_ = 0.0, greatest_change_ = 0.0;
   std::vector<double> length_, position_, weight_;
   std::vector<double> aperture_, rate_, change_;

@@ -39,7 +39,7 @@ PressureSolver::Minimum PressureSolver::lowest(Location start, double start_pres
   profile_.gradient_evaluations += n - start.segment;
   Minimum minimum;
   minimum.residual.value = std::numeric_limits<double>::infinity();
-  double p = start_pressure, slope = 0.0, magnitude = upstream_ + downstream_;
+  double p = start_pressure, slope = 0.0, magnitude = upstream_ + downstream_ + table_.climb();
   bool falling = false, risen = false;
   const auto candidate = [&](Location at, double value, bool at_end) {
     // A region behind a void starts where q = 0; by its round-off p may seem to fall there before it rises: no minimum.

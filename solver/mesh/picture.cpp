@@ -134,7 +134,7 @@ std::string crack_line(const PolygonMesh& mesh, const Sheet& sheet, const CrackF
       path += step + sheet.at(mesh.vertices[v]);
       step = "L";
     }
-    path += "L" + sheet.at(mesh.polygons[crack.tip_polygon].scaling_centre);
+    if (crack.tip_polygon >= 0) path += "L" + sheet.at(mesh.polygons[crack.tip_polygon].scaling_centre);
   }
   return path;
 }
@@ -229,6 +229,7 @@ std::string picture(const PolygonMesh& mesh, const PictureOptions& options) {
     const std::string path = crack_line(mesh, sheet, crack);
     body += "<path d=\"" + path + "\" fill=\"none\" stroke=\"#000\" stroke-width=\"4\"/>\n";
     body += "<path d=\"" + path + "\" fill=\"none\" stroke=\"#fff\" stroke-width=\"1.6\"/>\n";
+    if (crack.tip_polygon < 0) continue;  // has come out at a face
     body += "<circle " + sheet.centre(mesh.polygons[crack.tip_polygon].scaling_centre) +
             " r=\"3\" fill=\"#fff\" stroke=\"#000\" stroke-width=\"1.2\"/>\n";
   }

@@ -51,6 +51,15 @@ void AtomicFile::write(std::string_view bytes) {
   }
 }
 
+void AtomicFile::reserve(std::uint64_t bytes) {
+  errno = ::posix_fallocate(descriptor_, 0, static_cast<off_t>(bytes));
+  if (errno != 0 && errno != EOPNOTSUPP && errno != EINVAL) refuse("cannot write", file_);
+}
+
+void AtomicFile::resize(std::uint64_t bytes) {
+  if (::ftruncate(descriptor_, static_cast<off_t>(bytes)) != 0) refuse("cannot write", file_);
+}
+
 void AtomicFile::commit() {
   // mkostemp makes files that only their owner may read; a result is as readable as any other file of this user.
   const mode_t mask = ::umask(0);

@@ -1,6 +1,7 @@
 #pragma once
 /// A file that appears under its name whole or not at all, however the program ends.
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -17,7 +18,16 @@ class AtomicFile {
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
+  const std::filesystem::path& path() const { return file_; }  ///< the final name
   void write(std::string_view bytes);
+
+  /// For a library that writes files itself: the name under which the bytes gather until `commit()`, disk for the first
+  /// `bytes` of them so that writing there cannot fail for want of it (where the file system can promise that), and in
+  /// the end the size.
+  const std::string& temporary() const { return temporary_; }
+  void reserve(std::uint64_t bytes);
+  void resize(std::uint64_t bytes);
+
   void commit();  ///< once, and nothing is written after it
 
  private:

@@ -1,6 +1,7 @@
 #pragma once
 /// history.csv: one header row with the name and unit of every column, then one row of numbers an instant.
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,6 +16,9 @@ struct Column {
 class History {
  public:
   explicit History(std::vector<Column> columns) : columns_(std::move(columns)) {}
+
+  /// Room for so many rows, so that a step loop that adds them does not allocate.
+  void reserve(std::size_t rows) { values_.reserve(rows * columns_.size()); }
 
   /// Throws std::invalid_argument where there is not one value a column.
   void add_row(std::span<const double> values);

@@ -1,10 +1,12 @@
 #pragma once
-/// What a run leaves behind besides its tables: summary.json as a value.
+/// What a run leaves behind, as a value: summary.json and, where there is a course of time, history.csv.
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "solver/results/history.hpp"
 #include "solver/results/quantity.hpp"
 
 namespace sunder::results {
@@ -31,6 +33,7 @@ struct RunSummary {
   std::vector<std::pair<std::string, double>> seconds;    ///< wall seconds a phase, and `total`
   int threads = 1;
   std::vector<std::string> warnings = {};
+  std::optional<History> history = {};  ///< history.csv; absent where an instant is all there is
 
   bool completed() const { return status == "completed"; }
 };

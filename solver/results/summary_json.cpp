@@ -63,7 +63,9 @@ std::vector<std::string> not_finite(const Quantity& quantity) {
 }
 
 void stop_if_not_finite(RunSummary& summary) {
-  const std::vector<std::string> found = not_finite(summary.quantities);
+  std::vector<std::string> found = not_finite(summary.quantities);
+  if (summary.history)
+    for (const std::string& column : not_finite(*summary.history)) found.push_back("history: " + column);
   if (found.empty()) return;
   if (summary.completed()) summary.status = "stopped: " + found.front() + " is not a finite number";
   for (const std::string& path : found) {

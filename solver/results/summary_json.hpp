@@ -1,5 +1,5 @@
 #pragma once
-/// summary.json: everything a run leaves behind besides its tables, as text.
+/// summary.json: everything a run leaves behind besides its history, as text.
 
 #include <string>
 #include <vector>
@@ -11,8 +11,8 @@ namespace sunder::results {
 /// Paths of the numbers that are NaN or infinite, e.g. "tips[0].K_I".
 [[nodiscard]] std::vector<std::string> not_finite(const Quantity& quantity);
 
-/// Turns a summary with numbers that are NaN or infinite into a stopped one: the status says so, a warning names each.
-/// The numbers stay as they are.
+/// Turns a summary with numbers that are NaN or infinite, in its quantities or its history, into a stopped one: the
+/// status says so, a warning names each. The numbers stay as they are.
 void stop_if_not_finite(RunSummary& summary);
 
 /// The summary as JSON. Every double is written with as many digits as reading it back exactly needs. NaN and infinity

@@ -33,12 +33,14 @@ bool same_pattern(const mesh::NodalPolygon& a, const mesh::NodalPolygon& b) {
   return a.open == b.open && std::ranges::equal(a.orders, b.orders);
 }
 
-/// Sorts the polygons into patterns in the order of their first appearance, and cuts each into fours.
-Plan plan_of(const mesh::NodalMesh& mesh, const FormationOptions& options) {
+/// Sorts the polygons that are to be formed (same[i] < 0) into patterns in the order of their first appearance, and
+/// cuts each into fours.
+Plan plan_of(const mesh::NodalMesh& mesh, const FormationOptions& options, std::span<const int> same) {
   const int count = mesh.polygon_count();
   std::vector<std::vector<int>> groups;
   std::unordered_multimap<std::uint64_t, std::size_t> known;
   for (int i = 0; i < count; ++i) {
+    if (same[static_cast<std::size_t>(i)] >= 0) continue;
     const mesh::NodalPolygon polygon = mesh.polygon(i);
     std::uint64_t hash = polygon.open ? 0x9e3779b97f4a7c15u : 0xcbf29ce484222325u;  // FNV-1a over the orders
     for (const int p : polygon.orders) hash = (hash ^ static_cast<std::uint64_t>(p)) * 0x100000001b3u;
@@ -96,9 +98,11 @@ struct FormationAccess {
   std::span<const ReferenceEdge> references;
   std::span<const BatchMaterial<double>> moduli;
   Formation& formation;
-  std::vector<double>& asymmetries;
-  std::vector<int>& iterations;
 
+  /// Sizes and places of all blocks; those of unchanged polygons are filled.
+  static Formation laid_out(const mesh::NodalMesh& mesh, bool with_mass, const Formation& earlier,
+                            std::span<const int> same);
+  static void summarise(Formation& formation);
   void solve_single(int polygon) const;
   void solve_batch(PolygonBatch<Lanes>& batch, const Task& task) const;
   void store(PolygonBatch<Lanes>& batch, const Task& task) const;
@@ -121,8 +125,8 @@ void FormationAccess::solve_single(int polygon) const {
   const auto& material = materials[static_cast<std::size_t>(mesh.polygon(polygon).material)];
   const Coefficients c = coefficients(boundary_of(mesh, polygon), material);
   const PolygonSolution solution = solve_polygon(c, options.route);
-  asymmetries[i] = solution.asymmetry;
-  iterations[i] = solution.iterations;
+  formation.asymmetries_[i] = solution.asymmetry;
+  formation.iterations_[i] = solution.iterations;
   if (solution.status != PolygonStatus::converged) return mark_failed(polygon, solution.status);
   Eigen::Map<Eigen::MatrixXd>(formation.stiffness_.data() + formation.offsets_[i], N, N) = solution.K;
   if (!options.with_mass) return;
@@ -181,7 +185,7 @@ void FormationAccess::store(PolygonBatch<Lanes>& batch, const Task& task) const 
   for (int lane = 0; lane < task.count; ++lane) {
     const int polygon = plan.order[static_cast<std::size_t>(task.first + lane)];
     const auto i = static_cast<std::size_t>(polygon);
-    iterations[i] = static_cast<int>(batch.iterations[lane]);
+    formation.iterations_[i] = static_cast<int>(batch.iterations[lane]);
     const auto K = formation.stiffness(polygon);
     const bool sound =
         K.allFinite() && K.diagonal().minCoeff() > 0.0 && (!options.with_mass || formation.mass(polygon).allFinite());
@@ -205,26 +209,12 @@ std::vector<std::vector<int>> shares_of(const std::vector<Task>& tasks, int thre
   return shares;
 }
 
-FormationSummary summary_of(const Formation& formation, const std::vector<double>& asymmetries,
-                            const std::vector<int>& iterations) {
-  FormationSummary summary;
-  for (int i = 0; i < formation.polygon_count(); ++i) {
-    const PolygonStatus status = formation.status(i);
-    if (status != PolygonStatus::converged) ++summary.failed_count;
-    if (static_cast<int>(status) > static_cast<int>(summary.worst_status)) {
-      summary.worst_status = status;
-      summary.worst_polygon = i;
-    }
-    summary.largest_asymmetry = std::max(summary.largest_asymmetry, asymmetries[static_cast<std::size_t>(i)]);
-    summary.most_iterations = std::max(summary.most_iterations, iterations[static_cast<std::size_t>(i)]);
-  }
-  return summary;
-}
-
 /// Refuses what no polygon can be formed from; fills the layout of the results on the way. Returns the largest order.
-int check_polygons(const mesh::NodalMesh& mesh, std::span<const material::Isotropic> materials) {
+int check_polygons(const mesh::NodalMesh& mesh, std::span<const material::Isotropic> materials,
+                   std::span<const int> same) {
   int largest_order = 1;
   for (int i = 0; i < mesh.polygon_count(); ++i) {
+    if (same[static_cast<std::size_t>(i)] >= 0) continue;
     const mesh::NodalPolygon polygon = mesh.polygon(i);
     const std::string name = "polygon " + std::to_string(i);
     if (polygon.material < 0 || static_cast<std::size_t>(polygon.material) >= materials.size()) {
@@ -245,35 +235,86 @@ int check_polygons(const mesh::NodalMesh& mesh, std::span<const material::Isotro
 
 }  // namespace
 
-Formation form(const mesh::NodalMesh& mesh, std::span<const material::Isotropic> materials,
-               const FormationOptions& options) {
-  std::vector<BatchMaterial<double>> moduli;
-  for (const material::Isotropic& material : materials) {
-    material::check(material);
-    const Eigen::Matrix3d D = material::elasticity_matrix(material);
-    moduli.push_back({D(0, 0), D(0, 1), D(2, 2), material.density});
-  }
-  const int largest_order = check_polygons(mesh, materials);
-  const Plan plan = plan_of(mesh, options);
-  std::vector<ReferenceEdge> references(1);  // by order; order 0 is none
-  for (int p = 1; p <= (plan.largest_batch > 0 ? largest_order : 0); ++p) references.push_back(reference_edge(p));
-
+Formation FormationAccess::laid_out(const mesh::NodalMesh& mesh, bool with_mass, const Formation& earlier,
+                                    std::span<const int> same) {
   Formation formation;
   const auto count = static_cast<std::size_t>(mesh.polygon_count());
   formation.sizes_.resize(count);
   formation.offsets_.resize(count + 1, 0);
   formation.statuses_.resize(count, PolygonStatus::converged);
+  formation.asymmetries_.resize(count, 0.0);
+  formation.iterations_.resize(count, 0);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t N = 2 * mesh.polygon(static_cast<int>(i)).nodes.size();
     formation.sizes_[i] = static_cast<int>(N);
     formation.offsets_[i + 1] = formation.offsets_[i] + N * N;
   }
   formation.stiffness_.resize(formation.offsets_.back());
-  if (options.with_mass) formation.mass_.resize(formation.offsets_.back());
-  std::vector<double> asymmetries(count, 0.0);
-  std::vector<int> iterations(count, 0);
+  if (with_mass) formation.mass_.resize(formation.offsets_.back());
+  for (std::size_t i = 0; i < count; ++i) {
+    if (same[i] < 0) continue;
+    const auto from = static_cast<std::size_t>(same[i]);
+    if (from >= earlier.sizes_.size() || earlier.sizes_[from] != formation.sizes_[i]) {
+      throw std::invalid_argument("form_again: polygon " + std::to_string(i) + " is not of the size of polygon " +
+                                  std::to_string(same[i]) + " of the earlier formation");
+    }
+    const auto length = static_cast<std::ptrdiff_t>(formation.offsets_[i + 1] - formation.offsets_[i]);
+    const auto begin = static_cast<std::ptrdiff_t>(earlier.offsets_[from]);
+    const auto target = static_cast<std::ptrdiff_t>(formation.offsets_[i]);
+    std::copy_n(earlier.stiffness_.begin() + begin, length, formation.stiffness_.begin() + target);
+    if (with_mass) std::copy_n(earlier.mass_.begin() + begin, length, formation.mass_.begin() + target);
+    formation.statuses_[i] = earlier.statuses_[from];
+    formation.asymmetries_[i] = earlier.asymmetries_[from];
+    formation.iterations_[i] = earlier.iterations_[from];
+    ++formation.summary_.reused_count;
+  }
+  return formation;
+}
 
-  const FormationAccess access{mesh, materials, options, plan, references, moduli, formation, asymmetries, iterations};
+void FormationAccess::summarise(Formation& formation) {
+  FormationSummary& summary = formation.summary_;
+  for (int i = 0; i < formation.polygon_count(); ++i) {
+    const PolygonStatus status = formation.status(i);
+    if (status != PolygonStatus::converged) ++summary.failed_count;
+    if (static_cast<int>(status) > static_cast<int>(summary.worst_status)) {
+      summary.worst_status = status;
+      summary.worst_polygon = i;
+    }
+    summary.largest_asymmetry =
+        std::max(summary.largest_asymmetry, formation.asymmetries_[static_cast<std::size_t>(i)]);
+    summary.most_iterations = std::max(summary.most_iterations, formation.iterations_[static_cast<std::size_t>(i)]);
+  }
+}
+
+Formation form(const mesh::NodalMesh& mesh, std::span<const material::Isotropic> materials,
+               const FormationOptions& options) {
+  const std::vector<int> none(static_cast<std::size_t>(mesh.polygon_count()), -1);
+  return form_again(mesh, materials, options, {}, none);
+}
+
+Formation form_again(const mesh::NodalMesh& mesh, std::span<const material::Isotropic> materials,
+                     const FormationOptions& options, const Formation& earlier, std::span<const int> same) {
+  if (std::ssize(same) != mesh.polygon_count()) {
+    throw std::invalid_argument("form_again: same has " + std::to_string(same.size()) + " entries, accepted is " +
+                                std::to_string(mesh.polygon_count()));
+  }
+  if (earlier.polygon_count() > 0 && options.with_mass != earlier.has_mass()) {
+    throw std::invalid_argument("form_again: with_mass is " + std::to_string(options.with_mass) +
+                                ", accepted is what the earlier formation has");
+  }
+  std::vector<BatchMaterial<double>> moduli;
+  for (const material::Isotropic& material : materials) {
+    material::check(material);
+    const Eigen::Matrix3d D = material::elasticity_matrix(material);
+    moduli.push_back({D(0, 0), D(0, 1), D(2, 2), material.density});
+  }
+  const int largest_order = check_polygons(mesh, materials, same);
+  const Plan plan = plan_of(mesh, options, same);
+  std::vector<ReferenceEdge> references(1);  // by order; order 0 is none
+  for (int p = 1; p <= (plan.largest_batch > 0 ? largest_order : 0); ++p) references.push_back(reference_edge(p));
+
+  Formation formation = FormationAccess::laid_out(mesh, options.with_mass, earlier, same);
+  const FormationAccess access{mesh, materials, options, plan, references, moduli, formation};
   const auto work_through = [&](const std::vector<int>& share) {
     PolygonBatch<Lanes> batch(plan.largest_batch);
     for (const int t : share) {
@@ -291,7 +332,7 @@ Formation form(const mesh::NodalMesh& mesh, std::span<const material::Isotropic>
   } else {
     options.pool->parallel_for(threads, [&](int t) { work_through(shares[static_cast<std::size_t>(t)]); });
   }
-  formation.summary_ = summary_of(formation, asymmetries, iterations);
+  FormationAccess::summarise(formation);
   return formation;
 }
 

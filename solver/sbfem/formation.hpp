@@ -30,6 +30,7 @@ struct FormationSummary {
   int failed_count = 0;            ///< polygons that have not converged; their K and M are NaN
   double largest_asymmetry = 0.0;  ///< of the routes that have any, ‖K - Kᵀ‖ / ‖K‖
   int most_iterations = 0;
+  int reused_count = 0;  ///< polygons taken over from an earlier formation
 };
 
 class Formation {
@@ -45,7 +46,6 @@ class Formation {
   const FormationSummary& summary() const { return summary_; }
 
  private:
-  friend Formation form(const mesh::NodalMesh&, std::span<const material::Isotropic>, const FormationOptions&);
   friend struct FormationAccess;
   ConstMap map(const std::vector<double>& values, int polygon) const {
     const int N = size(polygon);
@@ -56,6 +56,8 @@ class Formation {
   std::vector<std::size_t> offsets_;
   std::vector<int> sizes_;
   std::vector<PolygonStatus> statuses_;
+  std::vector<double> asymmetries_;
+  std::vector<int> iterations_;
   FormationSummary summary_;
 };
 
@@ -64,5 +66,18 @@ class Formation {
 /// does not see one of its edges from inside (J_b <= 0), naming the polygon and the edge.
 Formation form(const mesh::NodalMesh& mesh, std::span<const material::Isotropic> materials,
                const FormationOptions& options = {});
+
+/// For each polygon of `mesh` the polygon of `before` that is the same: orders, places of the nodes, scaling centre and
+/// material, bit for bit; -1 where there is none. Only the pairs that `polygon_from` (polygons; -1: none) suggests are
+/// looked at. O(nodes).
+[[nodiscard]] std::vector<int> same_polygons(const mesh::NodalMesh& mesh, const mesh::NodalMesh& before,
+                                             std::span<const int> polygon_from);
+
+/// form() where most polygons are those of an earlier formation, made with the same materials and options: polygon i is
+/// taken over from polygon `same[i]` of `earlier`, or formed where that is -1. The same bits as forming all anew, for
+/// the cost of the new ones. Throws std::invalid_argument as form(), and where sizes or the presence of a mass do not
+/// match.
+Formation form_again(const mesh::NodalMesh& mesh, std::span<const material::Isotropic> materials,
+                     const FormationOptions& options, const Formation& earlier, std::span<const int> same);
 
 }  // namespace sunder::sbfem

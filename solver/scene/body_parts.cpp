@@ -255,6 +255,7 @@ Table<Crack> crack_table() {
                           .required = true,
                           .meaning = "from the mouth to the tip, at least two points"}),
        key(&Crack::inner, {.name = "inner", .meaning = "both ends are tips inside the body"}),
+       key(&Crack::through, {.name = "through", .meaning = "the path ends on another face: no tip, two bodies"}),
        key(&Crack::pressure, {.name = "pressure",
                               .unit = "Pa",
                               .meaning = "on both faces; a list p_0, p_1, … is Σ p_k s^k over the distance from the "
@@ -265,6 +266,8 @@ Table<Crack> crack_table() {
           findings.add(
               points.origin, path + ".path",
               "has " + std::to_string(crack.path.size()) + " points; accepted: at least 2, from the mouth to the tip");
+        if (crack.inner && crack.through)
+          findings.add(node.origin, path, "is `inner` and `through`; accepted: one of them");
         for (std::size_t i = 1; i < crack.path.size(); ++i)
           if (crack.path[i] == crack.path[i - 1])
             findings.add(points.list[i].origin, path + ".path[" + std::to_string(i) + "]",

@@ -34,8 +34,8 @@ const std::vector<AnalysisNeeds>& analyses() {
        {"material", "dynamics"},
        {"geometry", "mesh", "region", "crack", "fracture", "support", "load", "gravity", "reservoir", "foundation",
         "contact", "crack_water", "propagation", "ground_motion", "output"}},
-      {Analysis::crack_water, "crack-water", {"crack_line", "crack_water"}, {"output"}},
-      {Analysis::response, "response", {"response"}, {"reservoir", "foundation", "output"}},
+      {Analysis::crack_water, "crack-water", {"crack_line", "crack_water"}, {}},
+      {Analysis::response, "response", {"response"}, {"reservoir", "foundation"}},
   };
   return all;
 }
@@ -239,6 +239,45 @@ void check_density(const Node& document, const Scene& scene, Findings& findings)
       refuse(element(document, "region", i), "region[" + std::to_string(i) + "].density");
 }
 
+/// Growth needs a crack, and an increment that fits into the body where the scene tells how large that is.
+void check_propagation(const Node& document, const Scene& scene, Findings& findings) {
+  if (!scene.propagation) return;
+  const Node& node = *document.find("propagation");
+  if (scene.cracks.empty())
+    findings.add(node.origin, "[propagation]", "has no effect without [[crack]]; a crack must be there to grow");
+  const std::vector<Point>* points = nullptr;
+  if (scene.geometry) points = &scene.geometry->outline;
+  if (scene.mesh.list) points = &scene.mesh.list->vertices;
+  if (points == nullptr || points->empty()) return;
+  Point low = points->front(), high = low;
+  for (const Point& point : *points) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  const double size = (high - low).norm();
+  if (scene.propagation->increment < size) return;
+  const Node* given = node.find("increment");
+  findings.add(given != nullptr ? given->origin : node.origin, "propagation.increment",
+               shown(scene.propagation->increment) + " m is larger than the body; accepted: a number < " + shown(size) +
+                   " [m], the diagonal of the body");
+}
+
+/// What acts on crack faces needs a crack; resting water in it comes from a reservoir.
+void check_crack_faces(const Node& document, const Scene& scene, Findings& findings) {
+  for (const char* table : {"contact", "crack_water"})
+    if (document.has(table) && scene.cracks.empty())
+      findings.add(place(document, table), "[" + std::string(table) + "]",
+                   "has no effect without a crack; accepted: together with [[crack]]");
+  if (scene.analysis != Analysis::static_ || !scene.crack_water) return;
+  if (!scene.reservoir)
+    findings.add(place(document, "crack_water"), "[crack_water]",
+                 "has no effect without a reservoir; accepted: together with [reservoir], or crack.pressure instead");
+  for (std::size_t i = 0; i < scene.cracks.size(); ++i)
+    if (!scene.cracks[i].inner && !scene.cracks[i].pressure.empty())
+      findings.add(element(document, "crack", i).find("pressure")->origin, "crack[" + std::to_string(i) + "].pressure",
+                   "and [crack_water] both fill this crack; accepted: one of them");
+}
+
 }  // namespace
 
 std::string_view word_of(Analysis analysis) {
@@ -253,7 +292,9 @@ void check_together(const Node& document, const Scene& scene, Findings& findings
   check_shape(document, scene, findings);
   check_boundaries(document, scene, findings);
   check_density(document, scene, findings);
+  check_propagation(document, scene, findings);
   if (scene.foundation) check_founded_boundary(document, scene, findings);
+  check_crack_faces(document, scene, findings);
   if (scene.analysis == Analysis::static_ && findings.count() == before) check_held(document, scene, findings);
 }
 

@@ -1,4 +1,6 @@
 // The tables of what acts on crack faces, and of the crack with a given motion.
+#include <cmath>
+
 #include "solver/scene/parts.hpp"
 
 namespace sunder::scene {
@@ -36,15 +38,17 @@ Table<Contact> contact_table() {
                                                  .unit = "m",
                                                  .range = positive(),
                                                  .meaning = "largest penetration accepted"}),
-           key(&Contact::friction_coefficient,
-               {.name = "friction_coefficient", .range = at_least(0.0), .meaning = "Coulomb"})}};
+           key(&Contact::friction_coefficient, {.name = "friction_coefficient",
+                                                .range = at_least(0.0),
+                                                .meaning = "Coulomb, with the memory of where the faces stuck"})}};
 }
 
 Table<CrackWater> crack_water_table() {
   return {
       "crack_water",
       "[crack_water]",
-      "water in the cracks; absent: dry",
+      "water in the cracks, from the reservoir; at rest both models are the hydrostatic pressure of the mouth; absent: "
+      "dry",
       {choice(&CrackWater::model,
               Choices<CrackWaterModel>{{"uniform", CrackWaterModel::uniform}, {"moving", CrackWaterModel::moving}},
               {.name = "model", .meaning = "the mouth's pressure along the crack, or flow with cavitation"}),
@@ -52,6 +56,9 @@ Table<CrackWater> crack_water_table() {
                                            .unit = "m",
                                            .range = positive(),
                                            .meaning = "a rough crack never closes fully"}),
+       choice(&CrackWater::aperture,
+              Choices<ApertureRule>{{"larger", ApertureRule::larger}, {"sum", ApertureRule::sum}},
+              {.name = "aperture", .meaning = "the water's gap: larger or sum of opening (≥ 0) and minimum_aperture"}),
        key(&CrackWater::relative_roughness,
            {.name = "relative_roughness", .range = {.low = 0.0, .high = 0.5, .low_open = true}, .meaning = "k / (2w)"}),
        key(&CrackWater::density, {.name = "density", .unit = "kg/m³", .range = positive(), .meaning = "of water"}),
@@ -70,7 +77,22 @@ Table<Propagation> propagation_table() {
            {.name = "increment", .unit = "m", .range = positive(), .meaning = "length of one growth"}),
        choice(&Propagation::criterion,
               Choices<PropagationCriterion>{{"max-hoop-stress", PropagationCriterion::max_hoop_stress}},
-              {.name = "criterion", .meaning = "direction of growth"})}};
+              {.name = "criterion", .meaning = "direction of growth"}),
+       choice(&Propagation::per_step,
+              Choices<fracture::GrowthPerStep>{{"one-increment", fracture::GrowthPerStep::one_increment},
+                                               {"until-arrest", fracture::GrowthPerStep::until_arrest}},
+              {.name = "per_step", .meaning = "in time: growth of a tip in one time step"}),
+       key(&Propagation::max_speed,
+           {.name = "max_speed", .unit = "m/s", .range = positive(), .meaning = "in time: of a tip"}),
+       key(&Propagation::steps,
+           {.name = "steps", .range = between(1, 100000), .meaning = "at rest: growths before the run ends"}),
+       key(&Propagation::until_length, {.name = "until_length",
+                                        .unit = "m",
+                                        .range = positive(),
+                                        .meaning = "at rest: end once a crack is as long"}),
+       key(&Propagation::together, {.name = "together",
+                                    .range = {.low = 0.0, .high = 1.0, .low_open = true},
+                                    .meaning = "at rest: tips with this share of the largest K_eq grow at once"})}};
 }
 
 std::shared_ptr<const Table<March>> march_table() {
@@ -83,7 +105,10 @@ std::shared_ptr<const Table<March>> march_table() {
        key(&March::duration,
            {.name = "duration", .unit = "s", .range = positive(), .required = true, .meaning = "of the history"}),
        choice(&March::initially, Choices<Filling>{{"full", Filling::full}, {"empty", Filling::empty}},
-              {.name = "initially", .meaning = "water in the crack at the start"})}});
+              {.name = "initially", .meaning = "water in the crack at the start"}),
+       key(&March::history_every, {.name = "history_every",
+                                   .range = at_least(1),
+                                   .meaning = "steps from one row of history.csv to the next"})}});
 }
 
 void check_crack_line(const Node& node, CrackLine& line, const std::string& path, Findings& findings) {
@@ -97,6 +122,8 @@ void check_crack_line(const Node& node, CrackLine& line, const std::string& path
   };
   check_length("aperture", line.aperture, false);
   if (node.has("opening_rate")) check_length("opening_rate", line.opening_rate, true);
+  if (!(std::abs(line.rise) <= line.length))
+    findings.add(node.find("rise")->origin, path + ".rise", "accepted: -length … length");
   if ((line.tip == Tip::closed) == line.downstream_head.has_value())
     findings.add(node.origin, path, "accepted: either `downstream_head` or `tip = \"closed\"`, one of them");
 }
@@ -117,6 +144,9 @@ Table<CrackLine> crack_line_table(const std::shared_ptr<const Table<March>>& mar
                                   .meaning = "at both ends, linear between, or at each of segments + 1 nodes"}),
        key(&CrackLine::opening_rate,
            {.name = "opening_rate", .unit = "m/s", .meaning = "everywhere, at both ends, or at each node"}),
+       key(&CrackLine::rise, {.name = "rise",
+                              .unit = "m",
+                              .meaning = "height gained from the upstream mouth to the far end; at most the length"}),
        key(&CrackLine::upstream_head,
            {.name = "upstream_head", .unit = "m", .range = at_least(0.0), .meaning = "head of water at the mouth"}),
        key(&CrackLine::downstream_head,

@@ -81,6 +81,7 @@ struct Region {  ///< another material inside `outline`: a polygon belongs to it
 struct Crack {
   std::vector<Point> path;       ///< from the mouth to the tip [m]; at least two points
   bool inner = false;            ///< both ends are tips, inside the body
+  bool through = false;          ///< ends on another face of the body: no tip, the body is cut in two
   std::vector<double> pressure;  ///< Σ p_k s^k: pressure on both faces over the distance from the tip as a fraction
                                  ///< of the crack's length [Pa]; a plain number is uniform; empty: dry
 };

@@ -10,22 +10,16 @@
 namespace sunder::scene {
 
 inline constexpr std::array unbuilt_tables = {
-    std::string_view("reservoir"),      //
-    std::string_view("contact"),        //
-    std::string_view("crack_water"),    //
-    std::string_view("propagation"),    //
-    std::string_view("ground_motion"),  //
-    std::string_view("dynamics"),       //
-    std::string_view("output"),         //
+    std::string_view("reservoir"),    //
+    std::string_view("propagation"),  //
 };
 
-inline constexpr std::array unbuilt_analyses = {
-    Analysis::dynamic,
 };
 
 /// A table of the list above that is built in this one analysis.
 constexpr bool built_in(std::string_view table, Analysis analysis) {
-  return table == "crack_water" && analysis == Analysis::crack_water;
+  return (table == "propagation" || table == "reservoir") &&
+         (analysis == Analysis::static_ || analysis == Analysis::dynamic);
 }
 
 }  // namespace sunder::scene

@@ -13,8 +13,16 @@ namespace sunder::simulation {
 void run_static(const scene::Scene& scene, const Body& body, const RunOptions& options, numerics::ThreadPool& pool,
                 Ledger& ledger, results::RunSummary& summary);
 
+/// Cracks that grow at rest. Throws scene::SceneError where the increment is larger than the body.
+void run_propagation(const scene::Scene& scene, const Body& body, const RunOptions& options, numerics::ThreadPool& pool,
+                     Ledger& ledger, results::RunSummary& summary);
+
 void run_modal(const scene::Scene& scene, const Body& body, const RunOptions& options, numerics::ThreadPool& pool,
                Ledger& ledger, results::RunSummary& summary);
+
+/// A body shaken by the ground. Throws scene::SceneError where a record, a face or a mode cannot be used.
+void run_dynamic(const scene::Scene& scene, const Body& body, const RunOptions& options, numerics::ThreadPool& pool,
+                 Ledger& ledger, results::RunSummary& summary);
 
 /// A crack with given motion and no body. Throws scene::SceneError as `check_crack_water`.
 void run_crack_water(const scene::Scene& scene, const RunOptions& options, Ledger& ledger,

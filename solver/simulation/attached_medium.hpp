@@ -1,6 +1,7 @@
 #pragma once
 /// An unbounded medium (reservoir, foundation) attached to the body's faces, as the step in time visits it.
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,6 +25,9 @@ struct AttachedMedium {
   std::vector<int> dofs;  ///< (n) of the body, 2·node + component, ascending; R acts on the medium, the body feels -R
   std::unique_ptr<convolution::Convolution> convolution;
   DrivenBy driven_by = DrivenBy::total;
+  /// Water: g (n) with p(y) = g · R [1/m], the pressure on the face at height y [m]. Empty: no pressure can be asked
+  /// for.
+  std::function<Eigen::VectorXd(double)> pressure_at = {};
   std::vector<std::string> warnings = {};  ///< words for the run's summary
 };
 

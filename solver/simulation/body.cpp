@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "solver/crack/advance_tip.hpp"
 #include "solver/crack/insert_crack.hpp"
 #include "solver/mesh/divide.hpp"
 #include "solver/mesh/ground_block.hpp"
@@ -115,18 +116,30 @@ void append_near_field(const scene::Scene& scene, int material, mesh::PolygonMes
                       .max_polygons = scene.mesh.max_polygons});
 }
 
-void insert_cracks(const scene::Scene& scene, mesh::PolygonMesh& polygons, Ledger& ledger) {
+/// A crack from face to face: first to the middle of its last segment, then on until it comes out.
+void cut_through(mesh::PolygonMesh& polygons, std::vector<Point> path, int number, const crack::CutOptions& options) {
+  const Point end = path.back();
+  path.back() = 0.5 * (path[path.size() - 2] + end);
+  crack::insert_crack(polygons, {.points = path}, number, options);
+  const int tip = static_cast<int>(polygons.cracks.size()) - 1;
+  // A little beyond the face: an advance ends at the first one that it meets.
+  const crack::Advance advance = crack::advance_tip(polygons, tip, end + 0.1 * (end - path.back()), options);
+  const double reach = 1e-6 * (end - path.back()).norm();
+  if (advance.event == crack::TipEvent::reached_boundary && (advance.tip - end).norm() <= reach) return;
+  const std::string place = "(" + std::to_string(end.x()) + ", " + std::to_string(end.y()) + ")";
+  throw crack::CrackError("crack " + std::to_string(number + 1) + ": does not come out at " + place +
+                          (advance.reason.empty() ? "" : ": " + advance.reason) +
+                          "; accepted with `through`: a path that ends on a face of the body");
+}
+
+crack::CutOptions cut_options(const scene::Scene& scene) {
   crack::CutOptions options;
   if (scene.mesh.cells == scene::Cells::one && !scene.mesh.list && !scene.mesh.file) {
     options.tip_edges = 1;  // edge_size and grade say how the one polygon's edges are divided
     options.flattest_edge = 1e-6;
   }
   if (scene.mesh.tip_edges) options.tip_edges = *scene.mesh.tip_edges;
-  for (std::size_t i = 0; i < scene.cracks.size(); ++i) {
-    const Ledger::Visit visit(ledger, "crack", "mesh");
-    crack::insert_crack(polygons, {.points = scene.cracks[i].path, .inner = scene.cracks[i].inner}, static_cast<int>(i),
-                        options);
-  }
+  return options;
 }
 
 /// On a coarse tip polygon the edges' order decides K_I, and raising it costs next to nothing (measured: README).
@@ -149,20 +162,37 @@ Body build_body(const scene::Scene& scene, Ledger& ledger) {
     body.rock = static_cast<int>(scene.regions.size()) + 1;
     append_near_field(scene, body.rock, body.polygons);
   }
-  if (!scene.cracks.empty()) insert_cracks(scene, body.polygons, ledger);
-  if (scene.mesh.edge_size) mesh::divide_long_edges(body.polygons, {.size = *scene.mesh.edge_size});
+  body.discretisation = {.cut = cut_options(scene),
+                         .order = scene.mesh.order,
+                         .tip_order = tip_order(scene.mesh),
+                         .edge_size = scene.mesh.edge_size};
+  for (std::size_t i = 0; i < scene.cracks.size(); ++i) {
+    const Ledger::Visit visit(ledger, "crack", "mesh");
+    const scene::Crack& wanted = scene.cracks[i];
+    if (wanted.through) {
+      cut_through(body.polygons, wanted.path, static_cast<int>(i), body.discretisation.cut);
+    } else {
+      crack::insert_crack(body.polygons, {.points = wanted.path, .inner = wanted.inner}, static_cast<int>(i),
+                          body.discretisation.cut);
+    }
+  }
   {
     Ledger::Visit visit(ledger, "mesh", "mesh");
-    const int at_tip = tip_order(scene.mesh), elsewhere = scene.mesh.order;
-    body.nodes = mesh::place_nodes(body.polygons, [&](int polygon, int /*edge*/) {
-      return body.polygons.polygons[polygon].open ? at_tip : elsewhere;
-    });
+    place_nodes(body);
     visit.add_entries(body.nodes.coordinates().size());
   }
   if (scene.material) body.materials.push_back(*scene.material);
   for (const scene::Region& region : scene.regions) body.materials.push_back(region.material);
   if (scene.foundation) body.materials.push_back(rock_of(scene));
   return body;
+}
+
+void place_nodes(Body& body) {
+  const Discretisation& rule = body.discretisation;
+  if (rule.edge_size) mesh::divide_long_edges(body.polygons, {.size = *rule.edge_size});
+  body.nodes = mesh::place_nodes(body.polygons, [&](int polygon, int /*edge*/) {
+    return body.polygons.polygons[polygon].open ? rule.tip_order : rule.order;
+  });
 }
 
 std::vector<PolygonEdge> find_edges(const mesh::PolygonMesh& mesh, const std::vector<mesh::Edge>& edges) {

@@ -1,9 +1,11 @@
 #pragma once
 /// The body of a scene: its polygons with the cracks in them, its nodes and its materials.
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "solver/crack/cut_options.hpp"
 #include "solver/material/isotropic.hpp"
 #include "solver/mesh/nodal_mesh.hpp"
 #include "solver/mesh/polygon_mesh.hpp"
@@ -12,9 +14,18 @@
 
 namespace sunder::simulation {
 
+/// How the polygons are cut and where their nodes stand: what growth has to keep to.
+struct Discretisation {
+  crack::CutOptions cut;
+  int order = 1;                    ///< on polygon edges
+  int tip_order = 1;                ///< on the edges of crack polygons
+  std::optional<double> edge_size;  ///< edges longer than this are divided [m]
+};
+
 struct Body {
   mesh::PolygonMesh polygons;
-  mesh::NodalMesh nodes;
+  Discretisation discretisation;
+  mesh::NodalMesh nodes;                       ///< of `polygons`, by place_nodes(body)
   std::vector<material::Isotropic> materials;  ///< by mesh::Polygon::material; the first is the scene's own
   int rock = -1;  ///< material of the foundation's near field, -1 where the scene has no foundation
 
@@ -24,6 +35,9 @@ struct Body {
 /// Meshes the scene, cuts its cracks and places the nodes. Throws mesh::MeshError, crack::CrackError or
 /// scene::SceneError where that cannot be done.
 [[nodiscard]] Body build_body(const scene::Scene& scene, Ledger& ledger);
+
+/// Divides what is longer than the discretisation allows and places the nodes.
+void place_nodes(Body& body);
 
 /// An edge of a polygon of the mesh.
 struct PolygonEdge {

@@ -6,7 +6,19 @@
 namespace sunder::simulation {
 namespace {
 
-/// Numbers the parts of the body that hang together: part of each node, and how many there are.
+/// Rank of the 3 x 3 Gram matrix of the rigid motions' values at the prescribed dofs of one part.
+struct RigidGram {
+  Eigen::Matrix3d gram = Eigen::Matrix3d::Zero();
+  int rank() const {
+    // A lever arm of 1e-6 of the body still counts as a support against rotation: 1e-12 in the Gram matrix.
+    Eigen::JacobiSVD<Eigen::Matrix3d> svd(gram);
+    svd.setThreshold(1e-12);
+    return gram.isZero() ? 0 : static_cast<int>(svd.rank());
+  }
+};
+
+}  // namespace
+
 std::vector<int> parts_of(const mesh::NodalMesh& mesh, int& count) {
   std::vector<int> parent(mesh.node_count());
   std::iota(parent.begin(), parent.end(), 0);
@@ -27,19 +39,6 @@ std::vector<int> parts_of(const mesh::NodalMesh& mesh, int& count) {
   }
   return part;
 }
-
-/// Rank of the 3 x 3 Gram matrix of the rigid motions' values at the prescribed dofs of one part.
-struct RigidGram {
-  Eigen::Matrix3d gram = Eigen::Matrix3d::Zero();
-  int rank() const {
-    // A lever arm of 1e-6 of the body still counts as a support against rotation: 1e-12 in the Gram matrix.
-    Eigen::JacobiSVD<Eigen::Matrix3d> svd(gram);
-    svd.setThreshold(1e-12);
-    return gram.isZero() ? 0 : static_cast<int>(svd.rank());
-  }
-};
-
-}  // namespace
 
 void eliminate(const Constraints& constraints, double scale, Eigen::SparseMatrix<double>& lower,
                Eigen::VectorXd& force) {

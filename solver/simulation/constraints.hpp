@@ -29,6 +29,9 @@ void eliminate(const Constraints& constraints, double scale, Eigen::SparseMatrix
 /// The same for a mass matrix of homogeneous constraints: rows and columns become zero.
 void remove_inertia(const Constraints& constraints, Eigen::SparseMatrix<double>& lower_mass);
 
+/// Numbers the parts of the body that hang together by shared nodes: the part of each node, and how many there are.
+std::vector<int> parts_of(const mesh::NodalMesh& mesh, int& count);
+
 /// A rigid motion that the constraints leave to a part of the body.
 struct FreeMotion {
   mesh::Point somewhere;  ///< a node of that part [m]

@@ -21,11 +21,6 @@ double resting_energy(const std::vector<sbfem::RadialLoad>& loads,
   return energy;
 }
 
-struct PolygonShare {
-  Eigen::VectorXd force;
-  double energy = 0.0, residual = 0.0;
-};
-
 PolygonShare share_of(const std::vector<sbfem::RadialLoad>& loads, const sbfem::Boundary& boundary,
                       const material::Isotropic& material, const sbfem::Formation::ConstMap& stiffness) {
   const sbfem::Coefficients coefficients = sbfem::coefficients(boundary, material);
@@ -63,30 +58,38 @@ std::vector<sbfem::RadialLoad> polygon_loads(const scene::Scene& scene, const Bo
 }
 
 InteriorLoads interior_loads(const scene::Scene& scene, const Body& body, const sbfem::Formation& formation,
-                             numerics::ThreadPool& pool) {
+                             numerics::ThreadPool& pool, const std::optional<EarlierLoads>& earlier) {
+  InteriorLoads sum{.force = Eigen::VectorXd::Zero(body.dofs()),
+                    .shares = std::vector<PolygonShare>(static_cast<std::size_t>(body.nodes.polygon_count()))};
   std::vector<int> loaded;
   for (int i = 0; i < body.nodes.polygon_count(); ++i) {
     const mesh::NodalPolygon polygon = body.nodes.polygon(i);
-    if ((scene.gravity && polygon.material != body.rock) || polygon.open) loaded.push_back(i);
+    if (!(scene.gravity && polygon.material != body.rock) && !polygon.open) continue;
+    const int from = earlier ? earlier->same[static_cast<std::size_t>(i)] : -1;
+    if (from >= 0) {
+      sum.shares[static_cast<std::size_t>(i)] = earlier->loads.shares[static_cast<std::size_t>(from)];
+    } else {
+      loaded.push_back(i);
+    }
   }
-  std::vector<PolygonShare> shares(loaded.size());
   pool.parallel_for(static_cast<int>(loaded.size()), [&](int i) {
-    const int index = loaded[i];
+    const int index = loaded[static_cast<std::size_t>(i)];
     const sbfem::Boundary boundary = sbfem::boundary_of(body.nodes, index);
     const std::vector<sbfem::RadialLoad> loads = polygon_loads(scene, body, index, boundary);
     if (loads.empty()) return;
-    shares[i] =
+    sum.shares[static_cast<std::size_t>(index)] =
         share_of(loads, boundary, body.materials[body.nodes.polygon(index).material], formation.stiffness(index));
   });
-  InteriorLoads sum{.force = Eigen::VectorXd::Zero(body.dofs())};
-  for (std::size_t i = 0; i < loaded.size(); ++i) {  // in the order of the polygons: the same bits for any thread count
-    if (shares[i].force.size() == 0) continue;
-    const mesh::NodalPolygon polygon = body.nodes.polygon(loaded[i]);
+  // In the order of the polygons: the same bits for any thread count.
+  for (int i = 0; i < body.nodes.polygon_count(); ++i) {
+    const PolygonShare& share = sum.shares[static_cast<std::size_t>(i)];
+    if (share.force.size() == 0) continue;
+    const mesh::NodalPolygon polygon = body.nodes.polygon(i);
     for (Eigen::Index k = 0; k < std::ssize(polygon.nodes); ++k) {
-      sum.force.segment<2>(2 * polygon.nodes[k]) += shares[i].force.segment<2>(2 * k);
+      sum.force.segment<2>(2 * polygon.nodes[k]) += share.force.segment<2>(2 * k);
     }
-    sum.energy += shares[i].energy;
-    sum.worst_residual = std::max(sum.worst_residual, shares[i].residual);
+    sum.energy += share.energy;
+    sum.worst_residual = std::max(sum.worst_residual, share.residual);
     ++sum.polygons;
   }
   return sum;

@@ -2,8 +2,10 @@
 
 #include <stdexcept>
 
+#include "solver/scene/scene_error.hpp"
 #include "solver/simulation/analyses.hpp"
 #include "solver/simulation/body.hpp"
+#include "solver/simulation/field_snapshot.hpp"
 
 namespace sunder::simulation {
 namespace {
@@ -22,6 +24,13 @@ const char* word(scene::Analysis analysis) {
       return "response";
   }
   return "unknown";
+}
+
+void require_place_for_fields(const scene::Scene& scene, const RunOptions& options) {
+  if (!wants_fields(scene) || !options.output.empty()) return;
+  throw scene::SceneError(scene::place_of(scene, "output") +
+                          "fields_every: this run has no folder to write fields to; accepted: 0, or a run with a "
+                          "folder (`sunder run SCENE --output DIR`)");
 }
 
 }  // namespace
@@ -45,16 +54,21 @@ results::RunSummary run(const scene::Scene& scene, const RunOptions& options) {
     if (options.progress) options.progress("done", 1.0);
     return summary;
   }
+  require_place_for_fields(scene, options);
   if (options.progress) options.progress("mesh", 0.0);
   const Body body = build_body(scene, ledger);
   summary.mesh = {.polygons = body.nodes.polygon_count(), .nodes = body.nodes.node_count(), .dofs = body.dofs()};
 
   if (options.stop != nullptr && options.stop->load()) {
     summary.status = "stopped: interrupted after meshing";
+  } else if (scene.analysis == scene::Analysis::static_ && scene.propagation) {
+    run_propagation(scene, body, options, pool, ledger, summary);
   } else if (scene.analysis == scene::Analysis::static_) {
     run_static(scene, body, options, pool, ledger, summary);
   } else if (scene.analysis == scene::Analysis::modal) {
     run_modal(scene, body, options, pool, ledger, summary);
+  } else if (scene.analysis == scene::Analysis::dynamic) {
+    run_dynamic(scene, body, options, pool, ledger, summary);
   } else {
     throw std::invalid_argument(std::string("analysis \"") + word(scene.analysis) + "\" is not built yet");
   }

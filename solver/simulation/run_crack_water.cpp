@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
@@ -11,7 +12,7 @@ namespace sunder::simulation {
 namespace {
 
 constexpr double gravity = 9.81;  // m/s², of heads in metres of water
-constexpr double most_steps = 1e9;
+constexpr double most_steps = 1e9, most_rows = 1e7;
 
 crackwater::Water water_of(const scene::CrackWater& water) {
   return {.density = water.density,
@@ -36,6 +37,22 @@ crackwater::Search search_of(scene::WaterSearch search) {
   return crackwater::Search::prefix_moments;
 }
 
+crackwater::ApertureRule rule_of(scene::ApertureRule rule) {
+  switch (rule) {
+    case scene::ApertureRule::larger:
+      return crackwater::ApertureRule::larger;
+    case scene::ApertureRule::sum:
+      return crackwater::ApertureRule::sum;
+  }
+  return crackwater::ApertureRule::larger;
+}
+
+crackwater::CrackLine line_of(const scene::CrackLine& line) {
+  crackwater::CrackLine crack = crackwater::straight_crack(line.length, line.segments);
+  if (line.rise != 0.0) crack.rises.assign(crack.lengths.size(), line.rise / line.segments);
+  return crack;
+}
+
 crackwater::ProfileOptions options_of(const scene::CrackLine& line) {
   const bool midpoint = line.quadrature == scene::WaterQuadrature::midpoint;
   return {.quadrature = midpoint ? crackwater::Quadrature::midpoint : crackwater::Quadrature::exact,
@@ -55,8 +72,8 @@ std::vector<double> nodal(const std::vector<double>& given, int segments) {
   if (given.size() == nodes) return given;
   std::vector<double> values(nodes);
   for (std::size_t node = 0; node < nodes; ++node) {
-    const double x = static_cast<double>(node) / segments;
-    values[node] = (1.0 - x) * given.front() + x * given.back();
+    // exact where both ends are equal: faces that just touch their roughness must do so everywhere
+    values[node] = std::lerp(given.front(), given.back(), static_cast<double>(node) / segments);
   }
   return values;
 }
@@ -64,12 +81,13 @@ std::vector<double> nodal(const std::vector<double>& given, int segments) {
 /// The water's apertures while the faces move as the scene says.
 class Motion {
  public:
-  Motion(const scene::CrackLine& line, double minimum_aperture)
+  Motion(const scene::CrackLine& line, const scene::CrackWater& water)
       : start_(nodal(line.aperture, line.segments)),
         rate_(nodal(line.opening_rate, line.segments)),
         opening_(start_),
         factors_(start_.size()),
-        minimum_(minimum_aperture),
+        minimum_(water.minimum_aperture),
+        rule_(rule_of(water.aperture)),
         apertures(start_.size()),
         rates(start_.size()) {
     move_to(0.0);
@@ -77,12 +95,13 @@ class Motion {
 
   void move_to(double time) {
     for (std::size_t node = 0; node < start_.size(); ++node) opening_[node] = start_[node] + rate_[node] * time;
-    crackwater::apertures(opening_, rate_, minimum_, crackwater::ApertureRule::larger, apertures, rates, factors_);
+    crackwater::apertures(opening_, rate_, minimum_, rule_, apertures, rates, factors_);
   }
 
  private:
   std::vector<double> start_, rate_, opening_, factors_;
   double minimum_;
+  crackwater::ApertureRule rule_;
 
  public:
   std::vector<double> apertures, rates;  ///< (segments + 1) [m], [m/s], of the water
@@ -121,9 +140,8 @@ void run_instant(const scene::Scene& scene, Ledger& ledger, results::RunSummary&
   const scene::CrackLine& line = *scene.crack_line;
   const scene::CrackWater& water = *scene.crack_water;
   Ledger::Visit visit(ledger, "crackwater", "pressures");
-  const Motion motion(line, water.minimum_aperture);
-  crackwater::PressureSolver solver(crackwater::straight_crack(line.length, line.segments), water_of(water),
-                                    options_of(line));
+  const Motion motion(line, water);
+  crackwater::PressureSolver solver(line_of(line), water_of(water), options_of(line));
   const crackwater::MouthPressures mouths = mouths_of(line, gravity * water.density);
   const crackwater::PressureProfile& profile = water.model == scene::CrackWaterModel::uniform
                                                    ? solver.uniform(mouths.upstream)
@@ -140,18 +158,43 @@ void run_instant(const scene::Scene& scene, Ledger& ledger, results::RunSummary&
   write_pressures(profile, summary.quantities);
 }
 
+results::History march_history() {
+  return results::History({{"time", "s"},
+                           {"front_position", "m"},
+                           {"water_content", "m2"},
+                           {"inflow", "m2"},
+                           {"outflow", "m2"},
+                           {"upstream_flux", "m2/s"},
+                           {"downstream_flux", "m2/s"},
+                           {"uplift_force", "N/m"},
+                           {"uplift_moment", "N"},
+                           {"peak_pressure", "Pa"},
+                           {"peak_position", "m"},
+                           {"water_volume_error", "m2"}});
+}
+
+void note(const crackwater::FillingMarch& march, results::History& history) {
+  const crackwater::MarchState& state = march.state();
+  const crackwater::PressureProfile& profile = march.profile();
+  history.add_row(std::array{state.time, state.front_position, state.content, state.inflow, state.outflow,
+                             profile.upstream_flux, profile.downstream_flux, profile.uplift_force,
+                             profile.uplift_moment, profile.peak_pressure, profile.peak_position, state.balance_error});
+}
+
 void run_march(const scene::Scene& scene, const RunOptions& options, Ledger& ledger, results::RunSummary& summary) {
   const scene::CrackLine& line = *scene.crack_line;
   const scene::CrackWater& water = *scene.crack_water;
   const scene::March& plan = *line.march;
   Ledger::Visit visit(ledger, "crackwater", "march");
-  Motion motion(line, water.minimum_aperture);
+  Motion motion(line, water);
   crackwater::FillingMarch march(
-      crackwater::straight_crack(line.length, line.segments), water_of(water), motion.apertures,
+      line_of(line), water_of(water), motion.apertures,
       {.search = search_of(line.search), .initially_full = plan.initially == scene::Filling::full});
   const crackwater::MouthPressures mouths = mouths_of(line, gravity * water.density);
   // a duration that is a whole number of steps but for round-off gets no step more
   const auto steps = static_cast<long long>(std::fmax(std::ceil(plan.duration / plan.time_step - 1e-9), 1.0));
+  summary.history = march_history();
+  summary.history->reserve(static_cast<std::size_t>(steps / plan.history_every) + 1);
   double time = 0.0;
   for (long long i = 1; i <= steps && summary.completed(); ++i) {
     if (options.stop != nullptr && options.stop->load()) {
@@ -163,6 +206,7 @@ void run_march(const scene::Scene& scene, const RunOptions& options, Ledger& led
     if (march.step(motion.apertures, mouths, end - time).status != crackwater::ProfileStatus::converged)
       summary.status = "stopped: the water was not found to round-off at " + std::to_string(end) + " s";
     time = end;
+    if (i % plan.history_every == 0 || i == steps || !summary.completed()) note(march, *summary.history);
     if (options.progress && i % 256 == 0)
       options.progress("march", static_cast<double>(i) / static_cast<double>(steps));
   }
@@ -185,8 +229,8 @@ void check_crack_water(const scene::Scene& scene) {
   const scene::CrackLine& line = *scene.crack_line;
   at_table(scene, "crack_water", [&] { crackwater::check(water_of(*scene.crack_water)); });
   at_table(scene, "crack_line", [&] {
-    const Motion motion(line, scene.crack_water->minimum_aperture);
-    crackwater::check(crackwater::straight_crack(line.length, line.segments), motion.apertures, motion.rates);
+    const Motion motion(line, *scene.crack_water);
+    crackwater::check(line_of(line), motion.apertures, motion.rates);
   });
   if (!line.march) return;
   const auto refuse = [&](const char* table, const std::string& what) {
@@ -200,6 +244,8 @@ void check_crack_water(const scene::Scene& scene) {
     refuse("crack_line", "tolerance has no effect in a march, whose water is found to round-off; accepted: 0");
   if (!(line.march->duration / line.march->time_step <= most_steps))
     refuse("crack_line", "march.duration holds more than 1e9 steps of march.time_step; accepted: at most 1e9");
+  if (!(line.march->duration / line.march->time_step <= most_rows * line.march->history_every))
+    refuse("crack_line", "march.history_every asks for more than 1e7 rows of history; accepted: a larger one");
 }
 
 void run_crack_water(const scene::Scene& scene, const RunOptions& options, Ledger& ledger,

@@ -5,6 +5,7 @@
 #include "solver/sbfem/formation.hpp"
 #include "solver/sbfem/radial_bubbles.hpp"
 #include "solver/simulation/analyses.hpp"
+#include "solver/simulation/field_snapshot.hpp"
 #include "solver/simulation/free_vibration.hpp"
 #include "solver/simulation/static_loads.hpp"
 
@@ -53,6 +54,20 @@ std::string status_of(const FreeVibration& vibration) {
   return "stopped";
 }
 
+/// One snapshot a mode, at its number from 1: frequencies may coincide, and an instant must not.
+void write_fields(const Body& body, const RunOptions& options, const Eigen::MatrixXd& shapes, Ledger& ledger) {
+  Ledger::Visit visit(ledger, "results", "fields");
+  const FieldGeometry geometry = field_geometry(body);
+  results::FieldFile file(options.output / field_file_name);
+  file.begin_mesh(geometry.mesh);
+  for (Eigen::Index mode = 0; mode < shapes.cols(); ++mode) {
+    file.append(static_cast<double>(mode + 1),
+                {.point_data = {vector_field(geometry, "mode_shape", shapes.col(mode))}, .cell_data = {}});
+  }
+  file.commit();
+  visit.add_entries(3 * geometry.mesh.point_count() * shapes.cols());
+}
+
 }  // namespace
 
 void run_modal(const scene::Scene& scene, const Body& body, const RunOptions& options, numerics::ThreadPool& pool,
@@ -77,9 +92,12 @@ void run_modal(const scene::Scene& scene, const Body& body, const RunOptions& op
   }
 
   report("modes", 0.5);
-  Ledger::Visit visit(ledger, "numerics", "modes");
-  const FreeVibration vibration = free_vibration(vibrating, supports.constraints, modal.count, floating);
-  visit.add_entries(vibration.factor_entries);
+  const FreeVibration vibration = [&] {
+    Ledger::Visit visit(ledger, "numerics", "modes");
+    FreeVibration result = free_vibration(vibrating, supports.constraints, modal.count, floating);
+    visit.add_entries(result.factor_entries);
+    return result;
+  }();
   ledger.count("factorisations");
   ledger.count("back_substitutions", vibration.solves);
   summary.status = status_of(vibration);
@@ -95,6 +113,10 @@ void run_modal(const scene::Scene& scene, const Body& body, const RunOptions& op
     participation.emplace_back(results::Quantity::List{vibration.participation(0, i), vibration.participation(1, i)});
   }
   summary.quantities["participation"] = std::move(participation);
+  if (wants_fields(scene)) {
+    report("fields", 0.95);
+    write_fields(body, options, vibration.shapes, ledger);
+  }
 }
 
 }  // namespace sunder::simulation

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "solver/mesh/ground_block.hpp"
-#include "solver/numerics/quadrature.hpp"
 #include "solver/scene/scene_error.hpp"
+#include "solver/simulation/standing_water.hpp"
 
 namespace sunder::simulation {
 namespace {
@@ -55,36 +55,14 @@ Eigen::Matrix2Xd places(const Body& body, const std::vector<int>& nodes) {
   return body.nodes.coordinates()(Eigen::all, nodes);
 }
 
-/// Nodal forces of standing water on an edge with nodes (2, m): the pressure weight·(level - y) is linear below the
-/// surface and nothing above, so an edge that the surface cuts is integrated over its wet part.
-VectorXd water_on_edge(const Eigen::Matrix2Xd& nodes, double level, double weight) {
-  const Point first = nodes.col(0), last = nodes.col(nodes.cols() - 1);
-  const double rise = last.y() - first.y();
-  // Fractions of the edge between which it is wet.
-  double from = 0.0, to = 1.0;
-  if (first.y() >= level && last.y() >= level) return VectorXd::Zero(2 * nodes.cols());
-  if (first.y() > level) from = (level - first.y()) / rise;
-  if (last.y() > level) to = (level - first.y()) / rise;
-
-  const auto basis = numerics::lagrange_basis(numerics::gauss_lobatto(static_cast<int>(nodes.cols())).points);
-  const auto rule = numerics::gauss_legendre(static_cast<int>(nodes.cols()) / 2 + 1);  // degree p + 1 exactly
-  const Point inward(-(last - first).y(), (last - first).x());                         // times its length
-  VectorXd force = VectorXd::Zero(2 * nodes.cols());
-  for (Eigen::Index g = 0; g < rule.points.size(); ++g) {
-    const double s = from + 0.5 * (to - from) * (rule.points[g] + 1.0);
-    const double pressure = weight * (level - first.y() - s * rise);
-    const Eigen::VectorXd shape = numerics::values(basis, 2.0 * s - 1.0);
-    for (Eigen::Index i = 0; i < nodes.cols(); ++i) {
-      force.segment<2>(2 * i) += 0.5 * rule.weights[g] * (to - from) * pressure * shape[i] * inward;
-    }
-  }
-  return force;
-}
-
-/// Distance of each pair of the faces from the tip over the length of the crack (inner: of this half), mouth first.
+/// Distance of each pair of the faces from the tip over the length of the crack (inner: of this half), mouth first;
+/// from the end where the crack has come out at a face.
 std::vector<double> distance_from_tip(const mesh::PolygonMesh& mesh, const mesh::CrackFaces& faces) {
   std::vector<double> distance(faces.lower.size());
-  double from_tip = (mesh.vertices[faces.lower.back()] - mesh.polygons[faces.tip_polygon].scaling_centre).norm();
+  double from_tip = 0.0;
+  if (faces.tip_polygon >= 0) {
+    from_tip = (mesh.vertices[faces.lower.back()] - mesh.polygons[faces.tip_polygon].scaling_centre).norm();
+  }
   for (std::size_t i = faces.lower.size(); i-- > 0;) {
     distance[i] = from_tip;
     if (i > 0) from_tip += (mesh.vertices[faces.lower[i]] - mesh.vertices[faces.lower[i - 1]]).norm();
@@ -93,17 +71,48 @@ std::vector<double> distance_from_tip(const mesh::PolygonMesh& mesh, const mesh:
   return distance;
 }
 
+/// What presses on the faces of one crack.
+struct FacePressure {
+  std::vector<double> distance;     ///< of each vertex of the chain from the tip, see above
+  std::vector<double> by_distance;  ///< the scene's own pressure, in powers of that distance
+  std::vector<double> water;        ///< resting water instead: at each vertex, and last at the tip [Pa]
+
+  bool empty() const { return by_distance.empty() && water.empty(); }
+};
+
+FacePressure face_pressure(const scene::Scene& scene, const Body& body, int tip) {
+  const mesh::CrackFaces& faces = body.polygons.cracks[tip];
+  FacePressure pressure;
+  if (const std::optional<RestingWater> water = resting_water(scene, body, tip)) {
+    for (const int vertex : faces.lower) pressure.water.push_back(water->pressure(body.polygons.vertices[vertex].y()));
+    if (faces.tip_polygon >= 0) {
+      pressure.water.push_back(water->pressure(body.polygons.polygons[faces.tip_polygon].scaling_centre.y()));
+    }
+    return pressure;
+  }
+  pressure.by_distance = scene.cracks[crack_of_tip(scene, tip)].pressure;
+  if (!pressure.by_distance.empty()) pressure.distance = distance_from_tip(body.polygons, faces);
+  return pressure;
+}
+
+/// Pressure on the faces of one crack between two places, each by its vertex index in the chain: powers of the fraction
+/// of the way from the first to the last.
+std::vector<double> pressure_between(const FacePressure& pressure, std::size_t first, std::size_t last) {
+  if (pressure.water.empty()) {
+    return sbfem::restrict_polynomial(pressure.by_distance, pressure.distance[first], pressure.distance[last]);
+  }
+  return {pressure.water[first], pressure.water[last] - pressure.water[first]};
+}
+
 /// Pressure on the chain of vertices of one face, from the mouth to the tip polygon.
-void add_face(const Body& body, const std::vector<int>& chain, const std::vector<double>& distance,
-              std::span<const double> pressure, VectorXd& force) {
+void add_face(const Body& body, const std::vector<int>& chain, const FacePressure& pressure, VectorXd& force) {
   std::vector<mesh::Edge> edges;
   for (std::size_t i = 1; i < chain.size(); ++i) edges.push_back({chain[i - 1], chain[i]});
   const std::vector<PolygonEdge> found = find_edges(body.polygons, edges);
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const std::vector<int> nodes = body.nodes.edge_nodes(found[i].polygon, found[i].edge);
     const bool towards_tip = nodes.front() == edges[i][0];
-    const double first = distance[towards_tip ? i : i + 1], last = distance[towards_tip ? i + 1 : i];
-    const std::vector<double> on_edge = sbfem::restrict_polynomial(pressure, first, last);
+    const std::vector<double> on_edge = pressure_between(pressure, towards_tip ? i : i + 1, towards_tip ? i + 1 : i);
     scatter(nodes, sbfem::edge_pressure(places(body, nodes), on_edge), force);
   }
 }
@@ -147,9 +156,15 @@ VectorXd boundary_forces(const scene::Scene& scene, const Body& body) {
       const Eigen::Matrix2Xd x = places(body, nodes);
       scatter(nodes, sbfem::edge_traction(x, traction) + sbfem::edge_pressure(x, pressure), force);
       if (load.water_level) {
-        const double gravity = scene.gravity.value_or(scene::Gravity{}).acceleration;
-        scatter(nodes, water_on_edge(x, *load.water_level, load.water_density * gravity), force);
+        scatter(nodes, water_on_edge(x, *load.water_level, weight_of_water(scene, load.water_density)), force);
       }
+    }
+  }
+  if (scene.reservoir) {
+    const double weight = weight_of_water(scene, scene.reservoir->density);
+    for (const PolygonEdge& place : find_edges(body.polygons, body.polygons.boundaries.at(scene.reservoir->boundary))) {
+      const std::vector<int> nodes = body.nodes.edge_nodes(place.polygon, place.edge);
+      scatter(nodes, water_on_edge(places(body, nodes), *scene.reservoir->level, weight), force);
     }
   }
   return force;
@@ -167,22 +182,25 @@ int crack_of_tip(const scene::Scene& scene, int tip) {
 VectorXd crack_face_forces(const scene::Scene& scene, const Body& body) {
   VectorXd force = VectorXd::Zero(body.dofs());
   for (std::size_t tip = 0; tip < body.polygons.cracks.size(); ++tip) {
-    const std::vector<double>& pressure = scene.cracks[crack_of_tip(scene, static_cast<int>(tip))].pressure;
+    const FacePressure pressure = face_pressure(scene, body, static_cast<int>(tip));
     if (pressure.empty()) continue;
     const mesh::CrackFaces& faces = body.polygons.cracks[tip];
-    const std::vector<double> distance = distance_from_tip(body.polygons, faces);
-    add_face(body, faces.lower, distance, pressure, force);
-    add_face(body, faces.upper, distance, pressure, force);
+    add_face(body, faces.lower, pressure, force);
+    add_face(body, faces.upper, pressure, force);
   }
   return force;
 }
 
 std::vector<sbfem::RadialLoad> tip_pressure(const scene::Scene& scene, const Body& body, int tip,
                                             const sbfem::Boundary& boundary) {
-  const std::vector<double>& pressure = scene.cracks[crack_of_tip(scene, tip)].pressure;
+  const FacePressure pressure = face_pressure(scene, body, tip);
   if (pressure.empty()) return {};
-  const double mouth = distance_from_tip(body.polygons, body.polygons.cracks[tip]).back();
-  return sbfem::crack_face_pressure(boundary, sbfem::restrict_polynomial(pressure, 0.0, mouth));
+  if (pressure.water.empty()) {
+    return sbfem::crack_face_pressure(boundary,
+                                      sbfem::restrict_polynomial(pressure.by_distance, 0.0, pressure.distance.back()));
+  }
+  const std::size_t at_tip = pressure.water.size() - 1;
+  return sbfem::crack_face_pressure(boundary, pressure_between(pressure, at_tip, at_tip - 1));
 }
 
 }  // namespace sunder::simulation

@@ -24,10 +24,10 @@ struct Supports {
 [[nodiscard]] Supports supports_of(const scene::Scene& scene, const Body& body, bool may_float,
                                    bool rock_moves = false);
 
-/// Tractions and pressures on named boundaries (dofs) [N/m].
+/// Tractions and pressures on named boundaries, and the standing water of the reservoir (dofs) [N/m].
 [[nodiscard]] Eigen::VectorXd boundary_forces(const scene::Scene& scene, const Body& body);
 
-/// Pressure on the crack faces outside the tip polygons (dofs) [N/m].
+/// Pressure on the crack faces outside the tip polygons, the scene's own or that of resting water (dofs) [N/m].
 [[nodiscard]] Eigen::VectorXd crack_face_forces(const scene::Scene& scene, const Body& body);
 
 /// Pressure on the two faces inside the tip polygon of tip `tip` (index in body.polygons.cracks), in powers of ξ; empty

@@ -22,6 +22,7 @@ std::vector<TipResult> tip_results(const scene::Scene& scene, const Body& body, 
   std::vector<TipResult> results;
   for (std::size_t tip = 0; tip < body.polygons.cracks.size(); ++tip) {
     const int index = body.polygons.cracks[tip].tip_polygon;
+    if (index < 0) continue;
     const mesh::NodalPolygon polygon = body.nodes.polygon(index);
     const material::Isotropic& material = body.materials[polygon.material];
     const sbfem::Boundary boundary = sbfem::boundary_of(body.nodes, index);
@@ -33,7 +34,8 @@ std::vector<TipResult> tip_results(const scene::Scene& scene, const Body& body, 
     for (const sbfem::RadialLoad& load : polygon_loads(scene, body, index, boundary)) {
       shares += fracture::load_share(crack_tip, coefficients, solution, load);
     }
-    results.push_back({.position = polygon.scaling_centre,
+    results.push_back({.tip = static_cast<int>(tip),
+                       .position = polygon.scaling_centre,
                        .state = fracture::tip_state(crack_tip, on_boundary(polygon, displacement), shares),
                        .exponents = crack_tip.exponents,
                        .status = crack_tip.status});

@@ -14,13 +14,15 @@
 namespace sunder::simulation {
 
 struct TipResult {
+  int tip = -1;          ///< index into the cracks of the body's polygons
   mesh::Point position;  ///< [m]
   fracture::TipState state;
   std::array<std::complex<double>, 2> exponents{};  ///< of the singular group; ½ each on a fine boundary
   fracture::TipStatus status = fracture::TipStatus::ready;
 };
 
-/// One a tip, in the order of the scene. `formation`: of the body's polygons; `displacement` (dofs) [m].
+/// One a tip that has not ended at a face, in the order of the scene. `formation`: of the body's polygons;
+/// `displacement` (dofs) [m].
 [[nodiscard]] std::vector<TipResult> tip_results(const scene::Scene& scene, const Body& body,
                                                  const sbfem::Formation& formation,
                                                  const Eigen::VectorXd& displacement);

@@ -114,7 +114,7 @@ const Wrong wrong_scenes[] = {
      "size = 0.5",
      "size = 0.5\nmax_polygons = 5",
      {"block.toml:6: [mesh]", "more than max_polygons = 5"}},
-    {"a part not built yet", "[[load]]", "[output]\n[[load]]", {"block.toml:14:1: not built yet: [output]"}},
+    {"a part not built yet", "[[load]]", "[contact]\n[[load]]", {"block.toml:14:1: not built yet: [contact]"}},
 };
 INSTANTIATE_TEST_SUITE_P(EndToEnd, WrongScene, testing::ValuesIn(wrong_scenes));
 
@@ -135,6 +135,21 @@ TEST(EndToEnd, ABodyThatIsOnePolygonComesThrough) {
   EXPECT_EQ(wait_for(start({"run", "block.toml", "--set", "mesh.cells=\"one\"", "--set", "mesh.order=4"}, folder)), 0)
       << folder.read("err.txt");
   EXPECT_NE(folder.read("block-results/summary.json").find("\"polygons\": 1"), std::string::npos);
+}
+
+TEST(EndToEnd, FieldsAreTheSameBytesForOneAndTwoThreads) {
+  const TestFolder folder;
+  static_cast<void>(folder.write("block.toml", block_scene));
+  for (const char* threads : {"1", "2"}) {
+    EXPECT_EQ(wait_for(start({"run", "block.toml", "--set", "output.fields_every=1", "--threads", threads, "--output",
+                              std::string("with-") + threads},
+                             folder)),
+              0)
+        << folder.read("err.txt");
+  }
+  const std::string one = folder.read("with-1/results.h5");
+  EXPECT_FALSE(one.empty());
+  EXPECT_TRUE(one == folder.read("with-2/results.h5"));
 }
 
 TEST(EndToEnd, CtrlCLeavesAWholeSummaryOrNone) {

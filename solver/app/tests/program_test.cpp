@@ -70,6 +70,37 @@ TEST(Program, RunsASceneAndWritesItsSummary) {
   EXPECT_EQ(folder.names().size(), 4u) << "the scene, two folders and the summary, nothing else";
 }
 
+/// `small_summary` with a course of time; where `sound` is false it holds a number that is none.
+Solver with_history(bool sound) {
+  const auto run = [sound](const scene::Scene& scene, const simulation::RunOptions& options) {
+    results::RunSummary summary = small_summary(scene, options);
+    summary.history = results::History({{"time", "s"}, {"front_position", "m"}});
+    summary.history->add_row(std::vector{0.0, 0.5});
+    summary.history->add_row(std::vector{0.25, sound ? 1.5 : std::nan("")});
+    return summary;
+  };
+  return {run, one_triangle};
+}
+
+TEST(Program, WritesTheHistoryOfARunThatHasOne) {
+  const TestFolder folder;
+  const std::string scene = folder.write("block.toml", block_scene), results = (folder.path() / "a").string();
+  ASSERT_EQ(run({"run", scene, "--output", results}, with_history(true)).status, completed);
+  EXPECT_EQ(folder.read("a/history.csv"), "time [s],front_position [m]\n0,0.5\n0.25,1.5\n");
+  EXPECT_FALSE(holds(folder.read("a/summary.json"), "history")) << "it stands in its own file";
+  ASSERT_EQ(run({"run", scene, "--output", results}).status, completed);
+  EXPECT_EQ(folder.names().size(), 3u) << "a later run without one leaves no history that is not its own";
+}
+
+TEST(Program, SaysWhereTheHistoryHoldsNoNumber) {
+  const TestFolder folder;
+  const std::string scene = folder.write("block.toml", block_scene), results = (folder.path() / "a").string();
+  const Outcome outcome = run({"run", scene, "--output", results}, with_history(false));
+  EXPECT_EQ(outcome.status, numbers_did_not_come_out);
+  EXPECT_TRUE(holds(outcome.err, "history: front_position (row 2) is not a finite number")) << outcome.err;
+  EXPECT_EQ(folder.read("a/history.csv"), "time [s],front_position [m]\n0,0.5\n0.25,\n") << "what was reached";
+}
+
 TEST(Program, WritesBesideTheCallerWhereNoFolderIsGiven) {
   const TestFolder folder;
   const std::string scene = folder.write("block.toml", block_scene);

@@ -2,33 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
 #include "solver/crackwater/filling_march.hpp"
 #include "solver/crackwater/pressure_tangent.hpp"
 #include "solver/crackwater/tests/reference_crack.hpp"
-
-namespace {
-std::atomic<long> allocations{0};
-}
-
-// Counting replacements of the global operators; not inlined, or GCC takes malloc and delete for a mismatch.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  allocations.fetch_add(1, std::memory_order_relaxed);
-  if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
+#include "solver/numerics/tests/allocation_count.hpp"
 
 namespace sunder::crackwater {
 namespace {
+
+using numerics::allocations;
 
 TEST(Allocations, AreNoneInASolveItsTangentAndAStep) {
   const long before_vector = allocations;
@@ -45,7 +27,9 @@ TEST(Allocations, AreNoneInASolveItsTangentAndAStep) {
       (void)solver.solve(m->apertures, m->rates, {tests::reference_head, 1e5});
       differentiate(solver, tangent);
       (void)solver.solve(m->apertures, m->rates, {tests::reference_head, {}});
-      (void)march.step(m->apertures, {tests::reference_head, 0.0}, 0.01);
+      (void)march.trial(m->apertures, {tests::reference_head, 0.0}, 0.01);
+      differentiate(march, tangent);
+      (void)march.accept();
     }
     (void)solver.uniform(tests::reference_head);
     EXPECT_EQ(allocations, before) << static_cast<int>(search);

@@ -230,6 +230,84 @@ TEST(FillingMarch, StandsSignFlipsADryCrackAndASingleElement) {
   }
 }
 
+TEST(FillingMarch, TriesAStepAsOftenAsAskedAndAcceptsTheLast) {
+  const int n = 20;
+  const std::vector<double> start(n + 1, 0.03), wide(n + 1, 0.032), other(n + 1, 0.02);
+  const MouthPressures mouths{1e5, {}};
+  FillingMarch once(straight_crack(10.0, n), {}, start, {.initially_full = false}), often = once;
+  for (int k = 0; k < 5; ++k) {
+    (void)once.step(wide, mouths, 0.01);
+    (void)often.trial(other, {2e5, 0.0}, 0.02);
+    (void)often.trial(wide, mouths, 0.01);
+    EXPECT_EQ(often.state().steps, k);
+    (void)often.accept();
+    (void)often.accept();  // nothing to accept
+  }
+  EXPECT_EQ(often.state().voids, once.state().voids);  // to the last bit
+  EXPECT_EQ(often.profile().pressure, once.profile().pressure);
+  EXPECT_EQ(often.state().inflow, once.state().inflow);
+  EXPECT_EQ(often.state().time, once.state().time);
+  EXPECT_EQ(often.trial(wide, mouths, -1.0).status, ProfileStatus::unusable_input);
+  EXPECT_EQ(often.accept().steps, 5);
+}
+
+TEST(FillingMarch, GrowsWithItsWaterAndADryTip) {
+  const auto aperture_at = [](double s) { return 0.05 - 0.002 * s; };
+  const auto apertures = [&](const CrackLine& line) {
+    std::vector<double> w{aperture_at(0.0)};
+    double s = 0.0;
+    for (const double h : line.lengths) w.push_back(aperture_at(s += h));
+    return w;
+  };
+  struct Case {
+    const char* description;
+    bool full;
+    CrackLine before, after;
+  };
+  const Case cases[] = {
+      {"one segment more", true, {{1.0, 2.0, 1.5, 0.5}, {}}, {{1.0, 2.0, 1.5, 0.5, 0.5}, {}}},
+      {"one segment more, with a front", false, {{1.0, 2.0, 1.5, 0.5}, {}}, {{1.0, 2.0, 1.5, 0.5, 0.5}, {}}},
+      {"divided anew near the tip", false, {{1.0, 2.0, 1.5, 0.5}, {}}, {{1.0, 2.0, 0.7, 0.9, 0.9}, {}}},
+      {"fewer segments", true, {{1.0, 1.0, 1.0, 1.0, 1.0}, {}}, {{3.0, 4.0}, {}}},
+      {"the same", false, {{1.0, 2.0, 2.0}, {}}, {{1.0, 2.0, 2.0}, {}}},
+  };
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.description);
+    FillingMarch march(c.before, {}, apertures(c.before), {.initially_full = c.full});
+    const MouthPressures mouths{1e5, {}};
+    for (int k = 0; k < 3; ++k) (void)march.step(apertures(c.before), mouths, 0.05);
+    const MarchState before = march.state();
+    ASSERT_GT(before.content, 0.0);
+    march.grow(c.after, apertures(c.after));
+    const MarchState& after = march.state();
+    EXPECT_NEAR(after.content, before.content, 1e-15 * before.content);
+    EXPECT_EQ(after.inflow, before.inflow) << "no water leaves";
+    for (std::size_t node = 0; node < after.voids.size(); ++node) {
+      EXPECT_GE(after.voids[node], 0.0);
+      EXPECT_LE(after.voids[node], after.capacities[node]);
+    }
+    // nodes that own the same stretch before and after own the same water
+    for (std::size_t node = 0;
+         node + 1 < c.before.lengths.size() && node + 1 < c.after.lengths.size() &&
+         c.before.lengths[node] == c.after.lengths[node] && c.before.lengths[node + 1] == c.after.lengths[node + 1];
+         ++node) {
+      EXPECT_EQ(after.voids[node], before.voids[node]) << node;
+    }
+    for (int k = 0; k < 40; ++k)
+      ASSERT_EQ(march.step(apertures(c.after), mouths, 0.05).status, ProfileStatus::converged);
+    EXPECT_LE(std::abs(march.state().balance_error), 1e-13 * march.state().moved);
+    EXPECT_NEAR(march.state().content, std::accumulate(after.capacities.begin(), after.capacities.end(), 0.0), 1e-14)
+        << "it fills";
+  }
+  FillingMarch march(straight_crack(2.0, 2), {}, std::vector<double>(3, 0.03));
+  EXPECT_THROW(march.grow(straight_crack(1.9, 2), std::vector<double>(3, 0.03)), std::invalid_argument);
+  EXPECT_THROW(march.grow(straight_crack(2.1, 2), std::vector<double>(4, 0.03)), std::invalid_argument);
+  // narrower than before: what does not fit is pressed out through the mouth, and counted
+  march.grow(straight_crack(2.5, 3), std::vector<double>(4, 0.01));
+  EXPECT_NEAR(march.state().content, 0.025, 1e-16);
+  EXPECT_NEAR(march.state().inflow, -0.035, 1e-16);
+}
+
 TEST(FillingMarch, RefusesWhatItCannotUse) {
   const std::vector<double> w(4, 0.03), bad{0.03, 0.0, 0.03, 0.03};
   EXPECT_THROW(FillingMarch(straight_crack(1.0, 3), {}, bad), std::invalid_argument);

@@ -130,6 +130,104 @@ TEST(PressureTangent, IsContinuousWhereAFrontPassesANode) {
   }
 }
 
+/// A march over segments of unequal lengths, ready for a trial.
+struct MarchCase {
+  const char* description;
+  bool full;
+  MouthPressures mouths;
+  double rate, phase;  ///< of the apertures' motion [m/s]; pattern along the crack, 0: uniform
+  int steps;           ///< accepted before the trial
+};
+
+TEST(PressureTangent, OfATrialAgreesWithDifferences) {
+  const int n = 12;
+  const double dt = 0.01;
+  const MarchCase cases[] = {
+      {"filling front", false, {reference_head, {}}, 0.02, 0.0, 8},
+      {"full, closing, open", true, {reference_head, 1e5}, -0.1, 0.0, 2},
+      {"full, closing, closed tip", true, {reference_head, {}}, -0.1, 0.0, 2},
+      {"full at first, opens a void", true, {reference_head, 0.0}, 0.2, 0.0, 4},
+      {"two mouths, void between", false, {reference_head, 2e5}, 0.02, 0.0, 5},
+      {"islands", true, {3e5, 1e5}, 0.1, 0.7, 3},
+      {"islands, closed tip", true, {3e5, {}}, 0.1, 2.0, 3},
+      {"dry mouth upstream", true, {0.0, 2e5}, 0.05, 0.0, 2},
+  };
+  CrackLine line;
+  double length = 0.0;
+  for (int i = 0; i < n; ++i) length += line.lengths.emplace_back(3.0 * (1.0 + 0.5 * std::sin(1.7 * i)));
+  for (const MarchCase& c : cases) {
+    SCOPED_TRACE(c.description);
+    const auto apertures = [&](double t) {
+      Eigen::VectorXd w(n + 1);
+      double s = 0.0;
+      for (int i = 0; i <= n; ++i) {
+        const double x = s / length;
+        w[i] = 0.04 - 0.02 * x + t * c.rate * (c.phase == 0.0 ? 1.0 - 0.4 * x : std::sin(9.0 * x + c.phase));
+        if (i < n) s += line.lengths[static_cast<std::size_t>(i)];
+      }
+      return w;
+    };
+    const auto span = [](const Eigen::VectorXd& w) {
+      return std::span<const double>(w.data(), static_cast<std::size_t>(w.size()));
+    };
+    const Eigen::VectorXd start = apertures(0.0);
+    FillingMarch march(line, {}, span(start), {.initially_full = c.full});
+    for (int k = 1; k <= c.steps; ++k) {
+      const Eigen::VectorXd w = apertures(dt * k);
+      ASSERT_EQ(march.step(span(w), c.mouths, dt).status, ProfileStatus::converged);
+    }
+    Eigen::VectorXd x(n + 3);
+    x << apertures(dt * (c.steps + 1)), c.mouths.upstream, c.mouths.downstream.value_or(0.0);
+    const auto answer_at = [&](const Eigen::VectorXd& at) {
+      MouthPressures mouths{at[n + 1], {}};
+      if (c.mouths.downstream) mouths.downstream = at[n + 2];
+      const Eigen::VectorXd w = at.head(n + 1);
+      const PressureProfile& p = march.trial(span(w), mouths, dt);
+      Eigen::VectorXd y(2 * n + 2);
+      y << Eigen::Map<const Eigen::VectorXd>(p.pressure.data(), n + 1),
+          Eigen::Map<const Eigen::VectorXd>(p.nodal_force.data(), n + 1);
+      return y;
+    };
+    const Eigen::VectorXd at = answer_at(x);
+    ASSERT_EQ(march.profile().status, ProfileStatus::converged);
+    PressureTangent tangent(n);
+    differentiate(march, tangent);
+    EXPECT_EQ(tangent.pressure.middleCols(n + 1, n + 1).lpNorm<Eigen::Infinity>(), 0.0) << "rates";
+    const double peak = at.head(n + 1).maxCoeff();
+    for (Eigen::Index column = 0; column < x.size(); ++column) {
+      const bool dry = column == n + 1 ? c.mouths.upstream <= 0.0 : c.mouths.downstream.value_or(0.0) <= 0.0;
+      if (column > n && dry) continue;  // a dry mouth stays dry on one side
+      // smaller than for a profile: a change of aperture moves water by Δw/Δt, which is the scale that counts
+      const double h = 1e-6 * (column <= n ? x[column] : reference_head);
+      Eigen::VectorXd there = x;
+      there[column] += h;
+      Eigen::VectorXd difference = answer_at(there);
+      there[column] = x[column] - h;
+      difference = (difference - answer_at(there)) / (2.0 * h);
+      const double tolerance = 1e-6 * difference.head(n + 1).lpNorm<Eigen::Infinity>() + 1e-12 * peak / h;
+      const Eigen::Index of = column <= n ? column : column + n + 1;
+      for (Eigen::Index node = 0; node <= n; ++node) {
+        EXPECT_NEAR(tangent.pressure(node, of), difference[node], tolerance) << "p " << node << " " << column;
+        EXPECT_NEAR(tangent.nodal_force(node, of), difference[n + 1 + node], 4.5 * tolerance)
+            << "f " << node << " " << column;  // a node owns at most 4.5 m
+      }
+    }
+    EXPECT_EQ(answer_at(x), at) << "a trial leaves no trace";
+  }
+}
+
+TEST(PressureTangent, KnowsThatAMouthBelowZeroCountsAsZero) {
+  PressureSolver solver(straight_crack(45.0, 6), {});
+  const Motion motion = reference_motion(6, -0.10);
+  const PressureProfile& profile = solver.solve(motion.apertures, motion.rates, {-1e5, 1e5});
+  ASSERT_EQ(profile.status, ProfileStatus::converged);
+  EXPECT_TRUE(profile.mouth_below_zero);
+  PressureTangent tangent(6);
+  differentiate(solver, tangent);
+  EXPECT_EQ(tangent.pressure.col(14).lpNorm<Eigen::Infinity>(), 0.0);
+  EXPECT_GT(tangent.pressure.col(15).lpNorm<Eigen::Infinity>(), 0.1);
+}
+
 TEST(PressureTangent, VanishesForTheUniformModel) {
   PressureSolver solver(straight_crack(10.0, 4), {});
   (void)solver.uniform(1e5);

@@ -237,6 +237,23 @@ const Spoilt together[] = {
      "dam.toml:20:1: [modal]: has no effect in analysis = \"static\""},
     {"modal count 0", static_scene, "[[load]]", "[modal]\ncount = 0\n[[load]]",
      "dam.toml:21:9: modal.count: 0 is not accepted; accepted: a whole number >= 1 (how many, from the lowest)"},
+    {"contact without a crack", static_scene, "[[load]]", "[contact]\n[[load]]",
+     "dam.toml:20:1: [contact]: has no effect without a crack; accepted: together with [[crack]]"},
+    {"water in no crack", static_scene, "[[load]]",
+     "[reservoir]\nboundary = \"upstream\"\nlevel = 2\n[crack_water]\n[[load]]",
+     "dam.toml:23:1: [crack_water]: has no effect without a crack; accepted: together with [[crack]]"},
+    {"water without a reservoir", static_scene, "[[load]]",
+     "[[crack]]\npath = [[0, 1], [1, 1]]\n[crack_water]\n[[load]]",
+     "dam.toml:22:1: [crack_water]: has no effect without a reservoir; accepted: together with [reservoir], or "
+     "crack.pressure instead"},
+    {"water and pressure", static_scene, "[[load]]",
+     "[[crack]]\npath = [[0, 1], [1, 1]]\npressure = 1\n[reservoir]\nboundary = \"upstream\"\nlevel = "
+     "2\n[crack_water]\n"
+     "[[load]]",
+     "dam.toml:22:12: crack[0].pressure: and [crack_water] both fill this crack; accepted: one of them"},
+    {"inner and through", static_scene, "[[load]]",
+     "[[crack]]\npath = [[0, 1], [1, 1]]\ninner = true\nthrough = true\n[[load]]",
+     "dam.toml:20:1: crack[0]: is `inner` and `through`; accepted: one of them"},
     {"size of a file's mesh", mesh_file_scene, "dual = true", "size = 1",
      "dam.toml:5:1: mesh.size: belongs to a mesh made from [geometry]; this one is given by mesh.file"},
 };
@@ -268,7 +285,9 @@ const Spoilt later[] = {
      "dam.toml:38:17: contact.growth_factor: 1 is not accepted; accepted: a number > 1 (of the penalty, until the "
      "penetration is within its tolerance)"},
     {"contact friction", dynamic_scene, "friction_coefficient = 0.6", "friction_coefficient = -0.6",
-     "dam.toml:39:24: contact.friction_coefficient: -0.6 is not accepted; accepted: a number >= 0 (Coulomb)"},
+     "dam.toml:39:24: contact.friction_coefficient: -0.6 is not accepted; accepted: a number >= 0 (Coulomb, with the "
+     "memory "
+     "of where the faces stuck)"},
     {"contact model", dynamic_scene, "\"exact\"", "\"exat\"",
      "dam.toml:36:9: contact.model: \"exat\" is not known, did you mean \"exact\"?; accepted: \"penalty\" | \"exact\""},
     {"roughness", dynamic_scene, "relative_roughness = 0.25", "relative_roughness = 0.75",
@@ -366,10 +385,10 @@ TEST(Refusals, ReportEverythingThatIsWrongInTheOrderOfTheFile) {
 TEST(Refusals, SayWhatIsNotBuiltYet) {
   const std::string said = refusal(dynamic_scene);
   EXPECT_EQ(said.find("dam.toml:2:12: not built yet: analysis = \"dynamic\""), 0u) << said;
-  for (const char* table :
-       {"reservoir", "foundation", "contact", "crack_water", "propagation", "ground_motion", "dynamics", "output"})
+  for (const char* table : {"reservoir", "foundation", "propagation", "ground_motion", "dynamics", "output"})
     EXPECT_NE(said.find(": not built yet: [" + std::string(table) + "]"), std::string::npos) << table << " in " << said;
   EXPECT_EQ(said.find("[mesh]"), std::string::npos) << said;
+  EXPECT_EQ(said.find("[contact]"), std::string::npos) << said;
   EXPECT_NO_THROW(static_cast<void>(read_scene_text(crack_water_scene, "dam.toml")));  // built for a crack alone
   EXPECT_NE(refusal(response_scene).find("not built yet: [response]"), std::string::npos);
 }

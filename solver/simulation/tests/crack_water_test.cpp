@@ -80,6 +80,46 @@ TEST(CrackWaterRun, MarchesWithTheWaterBalanced) {
   long long steps = 0;
   for (const auto& [name, count] : summary.counts) steps += name == "steps" ? count : 0;
   EXPECT_EQ(steps, 4);  // three of 0.3 s and one of 0.1 s
+  ASSERT_TRUE(summary.history);
+  const results::History& history = *summary.history;
+  ASSERT_EQ(history.rows(), 4u);
+  EXPECT_EQ(history.columns()[1].name, "front_position");
+  EXPECT_EQ(history.at(3, 0), 1.0);
+  EXPECT_EQ(history.at(3, 1), front);
+  for (std::size_t row = 0; row < 4; ++row) {  // content = inflow - outflow from the empty crack on
+    EXPECT_NEAR(history.at(row, 2), history.at(row, 3) - history.at(row, 4), 1e-13);
+  }
+  EXPECT_FALSE(run_text(closing_crack).history) << "an instant has none";
+}
+
+TEST(CrackWaterRun, WritesEveryFewStepsAndTheLast) {
+  const results::RunSummary summary =
+      run_text(closing_crack, {{"crack_line.opening_rate", "0"},
+                               {"crack_line.march", "{ time_step = 0.1, duration = 1.0, history_every = 4 }"}});
+  ASSERT_TRUE(summary.history);
+  ASSERT_EQ(summary.history->rows(), 3u);  // steps 4, 8 and 10
+  EXPECT_NEAR(summary.history->at(1, 0), 0.8, 1e-15);
+  EXPECT_EQ(summary.history->at(2, 0), 1.0);
+}
+
+TEST(CrackWaterRun, TakesTheLargerOrTheSumOfOpeningAndRoughness) {
+  const auto flux = [](const char* rule, const char* opening) {
+    return number(
+        run_text(closing_crack,
+                 {{"crack_line.opening_rate", "0"}, {"crack_line.aperture", opening}, {"crack_water.aperture", rule}}),
+        "upstream_flux");
+  };
+  EXPECT_EQ(flux("\"sum\"", "[0.07, 0.02]"), flux("\"larger\"", "[0.10, 0.05]"));
+  EXPECT_EQ(flux("\"larger\"", "[0.02, 0.02]"), flux("\"larger\"", "[0.03, 0.03]"));
+}
+
+TEST(CrackWaterRun, CarriesTheWeightOfWaterInAnInclinedCrack) {
+  const results::RunSummary summary =
+      run_text(closing_crack, {{"crack_line.opening_rate", "0"}, {"crack_line.rise", "9"}});
+  // At rest the drop per unit of s goes with w⁻³ less a constant: the uplift is that of the level crack with the head
+  // less the rise, and the weight's triangle.
+  EXPECT_NEAR(number(summary, "uplift_force"), 14052825.0, 1e-12 * 14052825.0);
+  EXPECT_NE(refusal({{"crack_line.rise", "-45.1"}}).find("crack_line.rise"), std::string::npos);
 }
 
 TEST(CrackWaterRun, NamesTheTableAndTheKeyThatItCannotUse) {

@@ -4,11 +4,14 @@ namespace sunder::verification {
 
 const Studies& studies() {
   static const Studies all{
+      {"contact-history", run_contact_history},
       {"one-polygon", run_one_polygon},
       {"jitter", run_jitter},
 #ifdef SUNDER_HAS_SIMULATION
       {"scene", run_scene},
+      {"crack-water-motion", run_crack_water_motion},
       {"polynomial-patch", run_polynomial_patch},
+      {"time-step", run_time_step},
 #endif
   };
   return all;

@@ -22,8 +22,28 @@ StudyOutput run_polynomial_patch(const StudyInput& input);
 /// with `stress` = 1 (it is 0 otherwise) stress_error of its polynomials inside.
 StudyOutput run_one_polygon(const StudyInput& input);
 
+/// "crack-water-motion": a uniform crack with a closed tip (`aperture`, `length`, `segments`, `pressure` at its mouth,
+/// `viscosity`), full up to `start`, that breathes (`motion` = "breathing": aperture · (1 + amplitude · sin 2 π t)) or
+/// moves by `rate` · time_step to and fro ("flipping") for `duration`. With a `time_step` it is marched:
+/// front_position, water_volume_error (of the water moved), water_error (of that moved and held), least_pressure,
+/// least_void, pressure_times_void, most_water (relative to the capacity of a node). Without one its front is tracked
+/// to `tolerance`: front_position.
+StudyOutput run_crack_water_motion(const StudyInput& input);
+
 /// "jitter": the same polygon `runs` times with every coordinate moved by one unit in the last place or not: spread and
 /// decimal digits that stiffness and mass keep.
 StudyOutput run_jitter(const StudyInput& input);
+
+/// "time-step": `steps` steps of `time_step` (or of `duration` / steps) by `integrator` (`spectral_radius`) of a `body`
+/// with known motion, then as many of `step_jump` times the length. "oscillator": mass 1, `omega`, Rayleigh `damping`
+/// ("stiffness" or "both") with `damping_ratio` at omega; "rod": length and wave speed 1 of `elements`. `drive`: "free"
+/// (let go at 1), "force" and "ground" (`amplitude` · sin(`forcing` t)), "pulse" (base moves by exact/oscillator.hpp).
+/// Gives displacement and velocity at the end (of the free end), largest_displacement, and of a free motion
+/// energy_drift.
+StudyOutput run_time_step(const StudyInput& input);
+
+/// "contact-history": the faces of one crack under a history of loads, solved warm: difference of the forces from exact
+/// contact by another method, largest penetration, restless states.
+StudyOutput run_contact_history(const StudyInput& input);
 
 }  // namespace sunder::verification

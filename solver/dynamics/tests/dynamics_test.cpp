@@ -1,0 +1,103 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "solver/dynamics/ground_motion.hpp"
+#include "solver/dynamics/rayleigh.hpp"
+#include "solver/dynamics/time_scheme.hpp"
+
+namespace sunder::dynamics {
+namespace {
+
+double radius(const TimeScheme& scheme, double phase) {
+  double largest = 0.0;
+  for (const std::complex<double>& value : amplification(scheme, phase)) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+TEST(TimeScheme, AverageAccelerationKeepsEveryAmplitude) {
+  for (const double phase : {1e-3, 0.1, 1.0, 10.0, 1e3}) EXPECT_NEAR(radius(newmark(), phase), 1.0, 1e-12) << phase;
+}
+
+TEST(TimeScheme, SpectralRadiusAtInfiniteFrequencyIsTheOneAskedFor) {
+  // Below infinity the radius differs by O(1 / phase²); a triple eigenvalue loses the cube root of round-off.
+  for (const double rho : {0.5, 0.7, 0.9, 1.0}) EXPECT_NEAR(radius(hht_alpha(rho), 1e7), rho, 2e-5) << rho;
+  for (const double rho : {0.2, 0.5, 0.8, 1.0}) EXPECT_NEAR(radius(generalised_alpha(rho), 1e7), rho, 2e-5) << rho;
+}
+
+TEST(TimeScheme, NoneGrowsAnywhere) {
+  for (double phase = 1e-4; phase < 1e5; phase *= 1.5) {
+    for (const double rho : {0.5, 0.8, 1.0}) {
+      EXPECT_LE(radius(hht_alpha(rho), phase), 1.0 + 1e-10);
+      EXPECT_LE(radius(generalised_alpha(rho), phase), 1.0 + 1e-10);
+    }
+  }
+}
+
+TEST(TimeScheme, RefusesARadiusOutsideItsRange) {
+  EXPECT_THROW((void)hht_alpha(0.4), std::invalid_argument);
+  EXPECT_THROW((void)generalised_alpha(1.1), std::invalid_argument);
+  EXPECT_THROW((void)generalised_alpha(NAN), std::invalid_argument);
+}
+
+TEST(Rayleigh, GivesTheRatioAtBothFrequencies) {
+  const Rayleigh damping = rayleigh(0.05, 17.975, 47.486);
+  EXPECT_NEAR(damping.ratio(17.975), 0.05, 1e-16);
+  EXPECT_NEAR(damping.ratio(47.486), 0.05, 1e-16);
+  EXPECT_NEAR(stiffness_proportional(0.03, 18.9).ratio(18.9), 0.03, 1e-16);
+  EXPECT_THROW((void)rayleigh(0.05, 2.0, 1.0), std::invalid_argument);
+}
+
+class Record : public ::testing::Test {
+ protected:
+  std::filesystem::path write(const std::string& name, const std::string& text) {
+    const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / name;
+    std::ofstream(file) << text;
+    return file;
+  }
+  std::string refusal(const std::string& name, const std::string& text) {
+    try {
+      (void)read_ground_motion(write(name, text));
+    } catch (const RecordError& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+};
+
+TEST_F(Record, IsLinearBetweenSamplesAndNothingOutside) {
+  const GroundMotion motion =
+      read_ground_motion(write("a.csv", "time [s],acceleration [m/s2]\n0,0\n0.01,2\n0.02,-1\n"));
+  EXPECT_EQ(motion.at(0.01), 2.0);
+  EXPECT_NEAR(motion.at(0.0125), 1.25, 1e-12);
+  EXPECT_EQ(motion.at(0.02), -1.0);
+  EXPECT_EQ(motion.at(0.03), 0.0);
+  EXPECT_EQ(motion.at(-1.0), 0.0);
+}
+
+TEST_F(Record, OfPeerIsInUnitsOfGravity) {
+  const GroundMotion motion = read_ground_motion(write(
+      "b.AT2",
+      "PEER\nsome quake\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS=  5, DT=  .0050 SEC\n 0.1 0.2 -.3\n 1E-2 0\n"));
+  ASSERT_EQ(motion.acceleration.size(), 5u);
+  EXPECT_EQ(motion.sample_step, 0.005);
+  EXPECT_NEAR(motion.acceleration[2], -0.3 * 9.80665, 1e-15);
+}
+
+TEST_F(Record, WhatIsWrongIsNamedWithItsLine) {
+  EXPECT_NE(refusal("c.csv", "0,0\n0.01,nan\n").find("c.csv:2: acceleration: \"nan\" is not finite"),
+            std::string::npos);
+  EXPECT_NE(refusal("d.csv", "0,0\n0.01,1\n0.03,1\n").find("d.csv:3: the time step changes"), std::string::npos);
+  EXPECT_NE(refusal("e.csv", "0,0\n0.01,1,7\n").find("e.csv:2: has 3 column(s)"), std::string::npos);
+  EXPECT_NE(refusal("f.csv", "0,0\n0.01,x\n").find("f.csv:2: acceleration: \"x\" is no number"), std::string::npos);
+  EXPECT_NE(refusal("g.csv", "0,0\n0,1\n").find("g.csv:2: time 0 does not follow"), std::string::npos);
+  EXPECT_NE(refusal("h.csv", "time,acceleration\n").find("0 sample(s)"), std::string::npos);
+  EXPECT_NE(refusal("i.at2", "a\nb\nc\nNPTS= 3, DT= .01\n1 2\n").find("has 2 samples, but NPTS says 3"),
+            std::string::npos);
+  EXPECT_THROW((void)read_ground_motion("nowhere/at/all.csv"), RecordError);
+}
+
+}  // namespace
+}  // namespace sunder::dynamics

@@ -1,0 +1,35 @@
+#pragma once
+/// Nodal fields carried over from a body to the one into which it has grown.
+///
+/// A node that stands where one stood keeps its value. Any other takes the value that the old polygons' own field,
+/// u(ξ) = ξ^A u_b, has at its place; on the old faces of a crack, the value of its own side. Both faces of a new piece
+/// of crack get the same value: it opens from closed. Constant and linear fields go over exactly, to round-off. The
+/// particular part of loads that act inside a polygon is not looked at: it is of the order of the polygon's size
+/// squared and the next solution restores it.
+
+#include <Eigen/Core>
+
+#include "solver/crack/cut_options.hpp"
+#include "solver/sbfem/formation.hpp"
+#include "solver/simulation/body.hpp"
+
+namespace sunder::simulation {
+
+struct TransferredFields {
+  Eigen::MatrixXd values;                ///< (new dofs, m)
+  Eigen::VectorXd strain_energy_change;  ///< (m) of ½ fᵀ K f, [J/m] where the column is a displacement [m]
+  Eigen::VectorXd strain_energy;         ///< (m) ½ fᵀ K f before
+  /// (m) of ½ fᵀ M f, [J/m] where the column is a velocity [m/s]; empty where the formations have no mass.
+  Eigen::VectorXd kinetic_energy_change;
+  Eigen::VectorXd kinetic_energy;  ///< (m) ½ fᵀ M f before
+  int interpolated_nodes = 0;
+};
+
+/// `values` (old dofs, m): any number of fields. `before`, `earlier` and `after`, `formation` are the body and its
+/// formation before and after the growth that `report` describes. Throws std::invalid_argument where the number of rows
+/// is not that of the old body's degrees of freedom.
+[[nodiscard]] TransferredFields transfer_fields(const Body& before, const sbfem::Formation& earlier, const Body& after,
+                                                const sbfem::Formation& formation, const crack::CutReport& report,
+                                                const Eigen::Ref<const Eigen::MatrixXd>& values);
+
+}  // namespace sunder::simulation

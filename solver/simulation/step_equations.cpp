@@ -1,0 +1,199 @@
+#include "solver/simulation/step_equations.hpp"
+
+#include "solver/numerics/planted_fault.hpp"
+
+namespace sunder::simulation {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using SparseMatrix = Eigen::SparseMatrix<double>;
+
+/// Adds `factor` Σ W_0 to a lower triangle and puts the identity at prescribed dofs.
+SparseMatrix with_media(SparseMatrix matrix, const Constraints& constraints,
+                        std::span<const AttachedMedium* const> media, double factor) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const AttachedMedium* medium : media) {
+    if (numerics::planted_fault("simulation/instantaneous-mass-on-load-side")) continue;
+    const Eigen::MatrixXd& W = medium->convolution->instantaneous_mass();
+    for (Index j = 0; j < W.cols(); ++j) {
+      for (Index i = 0; i < W.rows(); ++i) {
+        const int row = medium->dofs[static_cast<std::size_t>(i)], column = medium->dofs[static_cast<std::size_t>(j)];
+        if (row >= column) entries.emplace_back(row, column, factor * 0.5 * (W(i, j) + W(j, i)));
+      }
+    }
+  }
+  if (!entries.empty()) {
+    SparseMatrix added(matrix.rows(), matrix.cols());
+    added.setFromTriplets(entries.begin(), entries.end());
+    matrix += added;
+  }
+  VectorXd none = VectorXd::Zero(matrix.rows());
+  Constraints resting(static_cast<int>(matrix.rows()));
+  resting.fixed = constraints.fixed;
+  eliminate(resting, matrix.diagonal().cwiseAbs().mean(), matrix, none);
+  matrix.makeCompressed();
+  return matrix;
+}
+
+/// Lower triangle of c_M M + c_C C + c_K K + c_W Σ W_0.
+SparseMatrix matrix_of_step(const SparseMatrix& stiffness, const SparseMatrix& mass, const Constraints& constraints,
+                            std::span<const AttachedMedium* const> media, const StepOptions& options) {
+  const dynamics::StepFactors factors = dynamics::step_factors(options.scheme, options.time_step);
+  const double of_mass = factors.mass + options.damping.of_mass * factors.damping;
+  const double of_stiffness = factors.stiffness + options.damping.of_stiffness * factors.damping;
+  const double of_media =
+      (1.0 - options.scheme.alpha_f) / (options.scheme.beta * options.time_step * options.time_step);
+  return with_media(of_mass * mass + of_stiffness * stiffness, constraints, media, of_media);
+}
+
+}  // namespace
+
+StepEquations::StepEquations(const SparseMatrix& stiffness, const SparseMatrix& mass, const Constraints& constraints,
+                             std::span<const AttachedMedium* const> media, const StepOptions& options)
+    : options_(options),
+      stiffness_(stiffness),
+      mass_(mass),
+      constraints_(&constraints),
+      media_(media.begin(), media.end()),
+      factor_(matrix_of_step(stiffness, mass, constraints, media, options), {.block = 2}) {
+  const Index dofs = stiffness.rows();
+  ground_mass_.resize(2, dofs);
+  for (int component = 0; component < 2; ++component) {
+    VectorXd direction = VectorXd::Zero(dofs);
+    for (Index dof = component; dof < dofs; dof += 2) direction[dof] = 1.0;
+    ground_mass_.row(component) = (mass_.selfadjointView<Eigen::Lower>() * direction).transpose();
+  }
+  for (VectorXd* values : {&d_, &with_mass_, &with_stiffness_, &velocity_part_, &right_}) values->setZero(dofs);
+  for (const AttachedMedium* medium : media_) {
+    const Index n = std::ssize(medium->dofs);
+    for (std::vector<VectorXd>* list : {&histories_, &medium_forces_, &medium_work_})
+      list->push_back(VectorXd::Zero(n));
+  }
+}
+
+void StepEquations::hold(VectorXd& values) const {
+  for (Index dof = 0; dof < values.size(); ++dof) {
+    if (constraints_->fixed[static_cast<std::size_t>(dof)]) values[dof] = 0.0;
+  }
+}
+
+Eigen::MatrixXd StepEquations::answer(const SparseMatrix& loads) const {
+  Eigen::MatrixXd X = (1.0 - options_.scheme.alpha_f) * Eigen::MatrixXd(loads);
+  for (Index dof = 0; dof < X.rows(); ++dof) {
+    if (constraints_->fixed[static_cast<std::size_t>(dof)]) X.row(dof).setZero();
+  }
+  if (X.cols() > 0) factor_.solve_in_place(X);
+  return X;
+}
+
+void StepEquations::begin(MotionState& state, const Eigen::Vector2d& ground, std::span<AttachedMedium* const> media) {
+  if (ground.squaredNorm() == 0.0) return;
+  VectorXd right = -ground_load(ground);
+  for (std::size_t m = 0; m < media_.size(); ++m) {
+    const AttachedMedium& medium = *media_[m];
+    VectorXd& known = medium_work_[m];
+    for (std::size_t i = 0; i < medium.dofs.size(); ++i) {
+      known[static_cast<Index>(i)] = medium.driven_by == DrivenBy::total ? ground[medium.dofs[i] % 2] : 0.0;
+    }
+    histories_[m] = medium.convolution->instantaneous_mass() * known;
+    for (std::size_t i = 0; i < medium.dofs.size(); ++i) right[medium.dofs[i]] -= histories_[m][static_cast<Index>(i)];
+  }
+  hold(right);
+  const numerics::SymmetricFactor inertia(with_media(mass_, *constraints_, media_, 1.0), {.block = 2});
+  if (inertia.status() != numerics::FactorStatus::factorised) return;  // massless: there is no acceleration to find
+  inertia.solve_in_place(right);
+  state.acceleration = right;
+  accept(state, ground, media);
+}
+
+double StepEquations::acceleration_factor() const {
+  return 1.0 / (options_.scheme.beta * options_.time_step * options_.time_step);
+}
+
+double StepEquations::work_of_ground(const VectorXd& moved, const Eigen::Vector2d& ground) const {
+  return (ground_mass_ * moved).dot(ground);
+}
+
+double StepEquations::work_on_medium(std::size_t i, const VectorXd& moved, const VectorXd& before) const {
+  double work = 0.0;
+  for (std::size_t k = 0; k < media_[i]->dofs.size(); ++k) {
+    const auto row = static_cast<Index>(k);
+    work += moved[media_[i]->dofs[k]] * (before[row] + medium_forces_[i][row]);
+  }
+  return work;
+}
+
+const VectorXd& StepEquations::trial(const MotionState& state, const StepLoad& start, const StepLoad& end) {
+  const auto [am, af, beta, gamma] = options_.scheme;
+  const double dt = options_.time_step, alpha = options_.damping.of_mass, damping_beta = options_.damping.of_stiffness;
+  const VectorXd &v = state.velocity, &a = state.acceleration;
+  // a' = d/(β Δt²) + a0,  v' = γ d/(β Δt) + v0:  what d leaves out
+  const double of_v = -1.0 / (beta * dt), of_a = -(0.5 - beta) / beta;
+  const double v0_of_v = 1.0 + gamma * dt * of_v, v0_of_a = dt * (1.0 - gamma) + gamma * dt * of_a;
+  velocity_part_ = ((1.0 - af) * v0_of_v + af) * v + ((1.0 - af) * v0_of_a) * a;
+  with_mass_ = ((1.0 - am) * of_v) * v + ((1.0 - am) * of_a + am) * a + alpha * velocity_part_;
+  const double ground_sign = numerics::planted_fault("simulation/inertia-load-sign") ? -1.0 : 1.0;
+  // K (u + β w): prescribed displacements act through K like all others
+  with_stiffness_ = state.displacement + damping_beta * velocity_part_;
+  right_ = (1.0 - af) * end.force + af * start.force;
+  const Eigen::Vector2d ground = ground_sign * ((1.0 - af) * end.ground + af * start.ground);
+  right_.noalias() -= ground_mass_.transpose() * ground;
+  right_.noalias() -= mass_.selfadjointView<Eigen::Lower>() * with_mass_;
+  right_.noalias() -= stiffness_.selfadjointView<Eigen::Lower>() * with_stiffness_;
+  for (std::size_t m = 0; m < media_.size(); ++m) {
+    const AttachedMedium& medium = *media_[m];
+    VectorXd& history = histories_[m];
+    VectorXd& known = medium_work_[m];
+    medium.convolution->history_force(history);
+    // the part of the total acceleration that is known beforehand: the ground's
+    for (std::size_t i = 0; i < medium.dofs.size(); ++i) {
+      known[static_cast<Index>(i)] = medium.driven_by == DrivenBy::total ? end.ground[medium.dofs[i] % 2] : 0.0;
+    }
+    history.noalias() += medium.convolution->instantaneous_mass() * known;
+    for (std::size_t i = 0; i < medium.dofs.size(); ++i) {
+      const int dof = medium.dofs[i];
+      known[static_cast<Index>(i)] = numerics::planted_fault("simulation/instantaneous-mass-on-load-side")
+                                         ? a[dof]
+                                         : of_v * v[dof] + of_a * a[dof];
+    }
+    const VectorXd& force = medium_forces_[m];
+    for (std::size_t i = 0; i < medium.dofs.size(); ++i) {
+      const auto row = static_cast<Index>(i);
+      const double now = history[row] + medium.convolution->instantaneous_mass().row(row).dot(known);
+      right_[medium.dofs[i]] -= (1.0 - af) * now + af * force[row];
+    }
+  }
+  hold(right_);
+  d_ = right_;
+  factor_.solve_in_place(d_);
+  return d_;
+}
+
+void StepEquations::advance(const MotionState& state, const VectorXd& d, MotionState& next) const {
+  const auto [am, af, beta, gamma] = options_.scheme;
+  const double dt = options_.time_step;
+  next.displacement = state.displacement + d;
+  next.acceleration =
+      (1.0 / (beta * dt * dt)) * d - (1.0 / (beta * dt)) * state.velocity - ((0.5 - beta) / beta) * state.acceleration;
+  next.velocity = state.velocity + (dt * (1.0 - gamma)) * state.acceleration + (dt * gamma) * next.acceleration;
+  next.time = state.time + dt;
+}
+
+void StepEquations::accept(const MotionState& next, const Eigen::Vector2d& ground,
+                           std::span<AttachedMedium* const> media) {
+  for (std::size_t m = 0; m < media.size(); ++m) {
+    AttachedMedium& medium = *media[m];
+    VectorXd& felt = medium_work_[m];
+    for (std::size_t i = 0; i < medium.dofs.size(); ++i)
+      felt[static_cast<Index>(i)] = next.acceleration[medium.dofs[i]];
+    medium_forces_[m] = histories_[m];  // the ground's share is in it
+    medium_forces_[m].noalias() += medium.convolution->instantaneous_mass() * felt;
+    if (medium.driven_by == DrivenBy::total) {
+      for (std::size_t i = 0; i < medium.dofs.size(); ++i) felt[static_cast<Index>(i)] += ground[medium.dofs[i] % 2];
+    }
+    medium.convolution->append(felt);
+  }
+}
+
+}  // namespace sunder::simulation
