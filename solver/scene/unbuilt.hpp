@@ -14,7 +14,7 @@ inline constexpr std::array unbuilt_tables = {
     std::string_view("propagation"),  //
 };
 
-};
+inline constexpr std::array<Analysis, 0> unbuilt_analyses = {};
 
 /// A table of the list above that is built in this one analysis.
 constexpr bool built_in(std::string_view table, Analysis analysis) {
