@@ -8,6 +8,7 @@
 #include "solver/fracture/propagation.hpp"
 #include "solver/scene/scene_error.hpp"
 #include "solver/simulation/analyses.hpp"
+#include "solver/simulation/attached_foundation.hpp"
 #include "solver/simulation/crack_waters.hpp"
 #include "solver/simulation/dynamic_record.hpp"
 #include "solver/simulation/dynamic_step.hpp"
@@ -48,7 +49,8 @@ dynamics::Rayleigh damping_of(const scene::Scene& scene, const DynamicBody& body
   VibratingBody vibrating;
   vibrating.stiffness = body.stiffness;
   vibrating.mass = body.mass;
-  const FreeVibration modes = free_vibration(vibrating, body.supports.constraints, wanted.damping_modes[1], false);
+  const FreeVibration modes =
+      free_vibration(vibrating, on_rigid_rock(body.body, body.supports.constraints), wanted.damping_modes[1], false);
   ledger.count("factorisations");
   visit.add_entries(modes.factor_entries);
   if (modes.omega.size() < wanted.damping_modes[1]) {
@@ -88,6 +90,9 @@ class Run {
 
  private:
   void plan();
+  void attach_rock();
+  void release_rock();
+  void set_load(long long number, StepLoad& load) const;
   bool begin();
   void make_step(const FaceMemory& memory);
   bool step(long long number);
@@ -106,6 +111,7 @@ class Run {
   DynamicBody body_;
   std::vector<std::unique_ptr<AttachedMedium>> media_;
   std::vector<AttachedMedium*> visited_media_;
+  std::optional<RisingWave> wave_;  // of a foundation that radiates
   std::vector<Mouth> mouths_;
   CrackWaters waters_;
   StepOptions step_options_;
@@ -122,7 +128,7 @@ class Run {
   std::vector<std::vector<mesh::Point>> paths_;
   results::Quantity::List events_;
   std::string final_event_;
-  long long steps_ = 0;
+  long long steps_ = 0, number_ = 0;
   int crest_ = 0;
 };
 
@@ -142,12 +148,46 @@ void Run::plan() {
       media_.push_back(std::move(medium));
     }
   }
+  if (scene_.foundation) attach_rock();
   for (const auto& medium : media_) visited_media_.push_back(medium.get());
   mouths_ =
       mouths_of(scene_, body_.body, std::vector<const AttachedMedium*>(visited_media_.begin(), visited_media_.end()));
   allowances_.resize(body_.cracks.size());
   for (const CrackFaceLoads& crack : body_.cracks)
     paths_.push_back({crack.tip ? crack.tip->position : mesh::Point::Zero()});
+}
+
+void Run::attach_rock() {
+  const double dt = scene_.dynamics->time_step;
+  AttachedFoundation rock = attach_foundation(body_.body, surface_motion(shaking_, dt),
+                                              {.time_step = dt, .steps = steps_ + 1}, options_.cache, pool_, ledger_);
+  if (!rock.failure.empty()) summary_.status = "stopped: " + rock.failure;
+  if (rock.medium == nullptr) return;
+  for (const std::string& warning : rock.medium->warnings) summary_.warnings.push_back(warning);
+  media_.push_back(std::move(rock.medium));
+  wave_ = std::move(rock.wave);
+}
+
+/// After rest the near field is held by the unbounded rock no longer as by a support but as by a medium; what held it
+/// at rest goes on as a load.
+void Run::release_rock() {
+  for (Eigen::Index i = 0; i < std::ssize(wave_->dofs); ++i) {
+    body_.dead_load[wave_->dofs[static_cast<std::size_t>(i)]] += wave_->resting[i];
+  }
+  body_.supports = supports_of(scene_, body_.body, true, true);
+}
+
+/// Loads at the end of step `number`; allocates nothing.
+void Run::set_load(long long number, StepLoad& load) const {
+  load.force = body_.dead_load;
+  if (!wave_) {
+    load.ground = shaking_.at(scene_.dynamics->time_step * static_cast<double>(number));
+    return;
+  }
+  load.ground = wave_->surface.col(number);
+  for (Eigen::Index i = 0; i < std::ssize(wave_->dofs); ++i) {
+    load.force[wave_->dofs[static_cast<std::size_t>(i)]] += wave_->load(i, number);
+  }
 }
 
 void Run::make_step(const FaceMemory& memory) {
@@ -180,12 +220,17 @@ bool Run::begin() {
   if (scene_.crack_water && scene_.crack_water->model == scene::CrackWaterModel::moving) {
     waters_ = moving_waters(scene_, body_, mouths_, rest.faces.opening);
   }
+  if (wave_) {
+    wave_->resting =
+        held_forces(wave_->dofs, body_.stiffness, rest.displacement, body_.dead_load + body_.loads * rest.faces.force);
+    release_rock();
+  }
   make_step(rest.faces);
   if (step_->status() != numerics::FactorStatus::factorised) {
     summary_.status = "stopped: the matrix of a time step is not positive definite";
     return false;
   }
-  start_ = {.force = body_.dead_load, .ground = shaking_.at(0.0)};
+  set_load(0, start_);
   end_ = start_;
   step_->equations().begin(state_, start_.ground, visited_media_);
   energy_.begin(step_->equations(), state_);
@@ -247,7 +292,7 @@ void Run::record(double time) {
 bool Run::step(long long number) {
   const double time =
       number == steps_ ? scene_.dynamics->duration : scene_.dynamics->time_step * static_cast<double>(number);
-  end_.ground = shaking_.at(time);
+  set_load(number, end_);
   if (!step_->solve(state_, start_, end_, next_)) {
     char text[200];
     std::snprintf(text, sizeof text,
@@ -345,6 +390,10 @@ bool Run::grow_tip(std::size_t crack, const mesh::Point& to) {
   }
   const DynamicBody before = std::move(body_);
   body_ = dynamic_body(scene_, std::move(growth.body), std::move(growth.formation), pool_);
+  if (wave_) {
+    wave_->dofs = visited_media_.back()->dofs;
+    release_rock();
+  }
   state_.displacement = moved.values.col(0);
   state_.velocity = moved.values.col(1);
   state_.acceleration = moved.values.col(2);
@@ -385,7 +434,8 @@ bool Run::grow_tip(std::size_t crack, const mesh::Point& to) {
         "stopped: at " + seconds_text(state_.time) + " the matrix of a time step is not positive definite";
     return false;
   }
-  start_.force = end_.force = body_.dead_load;
+  set_load(number_, start_);
+  end_ = start_;
   crest_ = crest_node(body_.body);
   energy_.grow(step_->equations(), state_);
   released_ = step_->unbalanced(state_, start_);
@@ -418,7 +468,7 @@ void Run::finish() {
 
 void Run::go() {
   plan();
-  if (!begin()) return;
+  if (!summary_.completed() || !begin()) return;
   record_ = std::make_unique<DynamicRecord>(RecordedParts{.cracks = body_.cracks.size(),
                                                           .media = !media_.empty(),
                                                           .contact = scene_.contact.has_value(),
@@ -434,6 +484,7 @@ void Run::go() {
         break;
       }
       if (!step(number)) break;
+      number_ = number;
       record(state_.time);
       ledger_.count("steps");
       if (scene_.propagation && !grow_cracks()) break;

@@ -7,6 +7,7 @@
 #include "verification/exact/bodies.hpp"
 #include "verification/exact/crack_water.hpp"
 #include "verification/exact/cracks.hpp"
+#include "verification/exact/foundation.hpp"
 #include "verification/exact/oscillator.hpp"
 #include "verification/exact/vibration.hpp"
 
@@ -92,6 +93,11 @@ const std::vector<NumberFunction>& number_functions() {
        [](Numbers x) { return exact::ramped_oscillator(x[0], x[1], x[2], x[3], x[4]).displacement; }},
       // amplitude [m] and duration [s] of the base's pulse, length [m], wave speed [m/s], time [s]
       {"rod_free_end", 5, [](Numbers x) { return exact::rod_free_end(x[0], x[1], x[2], x[3], x[4]); }},
+      // rigid disc in the plane: Poisson's ratio, omega r / c_s
+      {"rigid_disc_translation_re", 2, [](Numbers x) { return exact::rigid_disc_translation(x[0], x[1]).real(); }},
+      {"rigid_disc_translation_im", 2, [](Numbers x) { return exact::rigid_disc_translation(x[0], x[1]).imag(); }},
+      {"rigid_disc_rotation_re", 1, [](Numbers x) { return exact::rigid_disc_rotation(x[0]).real(); }},
+      {"rigid_disc_rotation_im", 1, [](Numbers x) { return exact::rigid_disc_rotation(x[0]).imag(); }},
       // water in a uniform crack: pressure [Pa], aperture [m], length [m] (or time [s]), viscosity [Pa s]
       {"resting_crack_flux", 4, [](Numbers x) { return exact::resting_crack_flux(x[0], x[1], x[2], x[3]); }},
       {"filling_front", 4, [](Numbers x) { return exact::filling_front(x[0], x[1], x[2], x[3]); }},
