@@ -60,8 +60,8 @@ int run_command(const Arguments& arguments, const Console& console, const Solver
     const simulation::RunOptions options{
         .threads = arguments.threads,
         .progress = [&progress](std::string_view phase, double fraction) { progress.show(phase, fraction); },
-        .cache = arguments.cache.value_or(fs::path()),
         .stop = &watch.stop(),
+        .cache = arguments.cache.value_or(fs::path()),
         .output = folder};
     at_its_place(scene, [&] { summary = solver.run(scene, options); });
   }

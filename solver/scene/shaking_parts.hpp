@@ -18,7 +18,7 @@ struct Reservoir {
   std::optional<double> depth;           ///< [m], > 0: analysis = "response", instead of boundary and level
   double density = 1000.0;               ///< [kg/m³], > 0
   double sound_speed = 1440.0;           ///< [m/s], > 0
-  double reflection_coefficient = 0.75;  ///< of the bottom [-], > -1, <= 1 (rigid)
+  double reflection_coefficient = 0.75;  ///< α of the bottom [-], 0 … 1 (rigid)
   ReservoirModel model = ReservoirModel::compressible;
 };
 

@@ -1,7 +1,6 @@
 #include "solver/simulation/attached_foundation.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "solver/convolution/make_convolution.hpp"
@@ -133,38 +132,6 @@ AttachedFoundation attach_foundation(const Body& body, const SurfaceMotion& moti
   attached.medium->driven_by = DrivenBy::relative;
   attached.medium->warnings = std::move(found.warnings);
   return attached;
-}
-
-SurfaceMotion surface_motion(const Shaking& shaking, double step) {
-  SurfaceMotion motion{.step = step};
-  const auto sample = [&](const std::optional<dynamics::GroundMotion>& record, double scale) {
-    std::vector<double> samples;
-    if (!record) return samples;
-    const auto count = static_cast<long long>(std::ceil(record->end() / step));
-    for (long long i = 0; i <= count; ++i) samples.push_back(scale * record->at(step * static_cast<double>(i)));
-    return samples;
-  };
-  motion.horizontal = sample(shaking.horizontal, shaking.horizontal_scale);
-  motion.vertical = sample(shaking.vertical, shaking.vertical_scale);
-  return motion;
-}
-
-Eigen::VectorXd held_forces(const std::vector<int>& dofs, const Eigen::SparseMatrix<double>& stiffness,
-                            const Eigen::VectorXd& displacement, const Eigen::VectorXd& force) {
-  const Eigen::VectorXd unbalanced = stiffness.selfadjointView<Eigen::Lower>() * displacement - force;
-  return unbalanced(dofs);
-}
-
-Constraints on_rigid_rock(const Body& body, Constraints constraints) {
-  for (int i = 0; i < body.nodes.polygon_count(); ++i) {
-    const mesh::NodalPolygon polygon = body.nodes.polygon(i);
-    if (body.rock < 0 || polygon.material != body.rock) continue;
-    for (const int node : polygon.nodes) {
-      constraints.prescribe(2 * node, 0.0);
-      constraints.prescribe(2 * node + 1, 0.0);
-    }
-  }
-  return constraints;
 }
 
 }  // namespace sunder::simulation

@@ -9,7 +9,6 @@
 /// rock stiffens, k → 0 and what is left is the dam on a shaken rigid base.
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -17,8 +16,6 @@
 
 #include "solver/foundation/free_field.hpp"
 #include "solver/simulation/attached_medium.hpp"
-#include "solver/simulation/constraints.hpp"
-#include "solver/simulation/shaking.hpp"
 
 namespace sunder::simulation {
 
@@ -27,7 +24,6 @@ struct RisingWave {
   int delay = 0;             ///< steps by which the surface's record is late: the wave starts below
   std::vector<int> dofs;     ///< (n) of the body, ascending
   Eigen::MatrixXd load;      ///< (n, steps + 1) [N/m] at the end of each step, step 0 is the start
-  Eigen::VectorXd resting;   ///< (n) [N/m] what holds the line at rest; the run fills it in
   Eigen::Matrix2Xd surface;  ///< (2, steps + 1) acceleration of the free surface in x and y [m/s²]
 };
 
@@ -48,15 +44,5 @@ struct AttachedFoundation {
 [[nodiscard]] AttachedFoundation attach_foundation(const Body& body, const SurfaceMotion& motion, const StepPlan& plan,
                                                    const std::filesystem::path& cache, numerics::ThreadPool& pool,
                                                    Ledger& ledger);
-
-/// The scene's records at equal steps.
-[[nodiscard]] SurfaceMotion surface_motion(const Shaking& shaking, double step);
-
-/// K u - f at `dofs` (n) [N/m]: what held them; `stiffness` is a lower triangle.
-[[nodiscard]] Eigen::VectorXd held_forces(const std::vector<int>& dofs, const Eigen::SparseMatrix<double>& stiffness,
-                                          const Eigen::VectorXd& displacement, const Eigen::VectorXd& force);
-
-/// The constraints with every node of the rock at rest: the dam on a rigid base.
-[[nodiscard]] Constraints on_rigid_rock(const Body& body, Constraints constraints);
 
 }  // namespace sunder::simulation

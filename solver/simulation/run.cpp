@@ -42,14 +42,13 @@ results::RunSummary run(const scene::Scene& scene, const RunOptions& options) {
   summary.name = scene.name;
   summary.analysis = word(scene.analysis);
   summary.threads = options.threads;
-  if (scene.analysis == scene::Analysis::crack_water) {  // no body at all
-    run_crack_water(scene, options, ledger, summary);
-    ledger.close(summary);
-    if (options.progress) options.progress("done", 1.0);
-    return summary;
-  }
-  if (scene.analysis == scene::Analysis::response) {
-    run_response(scene, options, pool, ledger, summary);
+  if (scene.analysis == scene::Analysis::crack_water || scene.analysis == scene::Analysis::response) {
+    // no body at all
+    if (scene.analysis == scene::Analysis::crack_water) {
+      run_crack_water(scene, options, ledger, summary);
+    } else {
+      run_response(scene, pool, ledger, summary);
+    }
     ledger.close(summary);
     if (options.progress) options.progress("done", 1.0);
     return summary;
