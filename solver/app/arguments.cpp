@@ -47,6 +47,9 @@ CommandLine parse_command_line(std::span<const std::string> words) {
   run.add_option("--output", arguments.output,
                  "Folder for the results [default: the scene's name with -results, in the current folder]")
       ->type_name("DIR");
+  run.add_option("--cache", arguments.cache,
+                 "Folder that keeps responses of unbounded rock between runs [default: none is kept]")
+      ->type_name("DIR");
   run.add_option("--threads", arguments.threads, "Threads; the results are the same bits for any number")
       ->type_name("N")
       ->check(CLI::Range(1, 1024))

@@ -70,6 +70,7 @@ int run_command(const Arguments& arguments, const Console& console, const Solver
               }
             },
         .stop = &watch.stop(),
+        .cache = arguments.cache.value_or(fs::path()),
         .output = folder};
     at_its_place(scene, [&] { summary = solver.run(scene, options); });
   }

@@ -90,15 +90,19 @@ Table<GroundMotion> ground_motion_table() {
                 .meaning = "table of time [s] and acceleration [m/s²], or a PEER .at2 record; relative to the scene"}),
            key(&GroundMotion::vertical, {.name = "vertical", .meaning = "likewise"}),
            key(&GroundMotion::horizontal_scale, {.name = "horizontal_scale", .meaning = "-1 reverses the component"}),
-           key(&GroundMotion::vertical_scale, {.name = "vertical_scale", .meaning = "likewise"})}};
+           key(&GroundMotion::vertical_scale, {.name = "vertical_scale", .meaning = "likewise"}),
+           key(&GroundMotion::baseline_correction,
+               {.name = "baseline_correction",
+                .meaning = "takes off the parabola in time that leaves the least velocity of the ground"})}};
 }
 
 void check_dynamics(const Node& node, Dynamics& dynamics, const std::string& path, Findings& findings) {
   if (dynamics.duration < dynamics.time_step)
     findings.add(node.find("duration")->origin, path + ".duration",
                  shown(dynamics.duration) + " is shorter than one time step; accepted: at least time_step");
-  if (dynamics.damping_modes[0] >= dynamics.damping_modes[1])
-    findings.add(node.find("damping_modes")->origin, path + ".damping_modes", "accepted: two modes in ascending order");
+  if (dynamics.damping_modes[0] > dynamics.damping_modes[1])
+    findings.add(node.find("damping_modes")->origin, path + ".damping_modes",
+                 "accepted: two modes in ascending order, or one twice");
   const bool needed = dynamics.integrator == Integrator::generalised_alpha;
   if (needed && !dynamics.spectral_radius)
     findings.add(node.origin, path + ".spectral_radius", "is missing; the generalised-alpha integrator needs it");
@@ -126,7 +130,9 @@ Table<Dynamics> dynamics_table() {
                                           .range = {.low = 0.0, .high = 1.0, .high_open = true},
                                           .meaning = "Rayleigh damping, matched at damping_modes"}),
            key(&Dynamics::damping_modes,
-               {.name = "damping_modes", .range = at_least(1), .meaning = "counted from 1, ascending"})},
+               {.name = "damping_modes",
+                .range = at_least(1),
+                .meaning = "counted from 1, ascending; one mode twice: damping by the stiffness alone"})},
           check_dynamics};
 }
 

@@ -7,6 +7,8 @@
 #include "verification/exact/bodies.hpp"
 #include "verification/exact/crack_water.hpp"
 #include "verification/exact/cracks.hpp"
+#include "verification/exact/foundation.hpp"
+#include "verification/exact/oscillator.hpp"
 #include "verification/exact/reservoir.hpp"
 #include "verification/exact/vibration.hpp"
 
@@ -72,6 +74,35 @@ const std::vector<NumberFunction>& number_functions() {
        [](Numbers x) {
          return exact::roller_square_frequency(exact::plane_stress(x[0], x[1]), x[2], x[3], natural(x[4]));
        }},
+      // omega [1/s], damping ratio, time [s], of an oscillator let go at 1
+      {"free_oscillator", 3,
+       [](Numbers x) {
+         return exact::free_oscillator(x[0], x[1], {1.0, 0.0}, x[2]).displacement;
+       }},
+      // … time step [s], number of steps
+      {"trapezoidal_oscillator", 4,
+       [](Numbers x) {
+         return exact::trapezoidal_oscillator(x[0], x[1], {1.0, 0.0}, x[2], x[3]).displacement;
+       }},
+      {"trapezoidal_oscillator_velocity", 4,
+       [](Numbers x) {
+         return exact::trapezoidal_oscillator(x[0], x[1], {1.0, 0.0}, x[2], x[3]).velocity;
+       }},
+      // omega, damping ratio, p [m/s²], forcing [1/s], time
+      {"forced_oscillator", 5,
+       [](Numbers x) { return exact::forced_oscillator(x[0], x[1], x[2], x[3], x[4]).displacement; }},
+      {"forced_oscillator_velocity", 5,
+       [](Numbers x) { return exact::forced_oscillator(x[0], x[1], x[2], x[3], x[4]).velocity; }},
+      // omega, damping ratio, p [m/s²], its slope [m/s³], time
+      {"ramped_oscillator", 5,
+       [](Numbers x) { return exact::ramped_oscillator(x[0], x[1], x[2], x[3], x[4]).displacement; }},
+      // amplitude [m] and duration [s] of the base's pulse, length [m], wave speed [m/s], time [s]
+      {"rod_free_end", 5, [](Numbers x) { return exact::rod_free_end(x[0], x[1], x[2], x[3], x[4]); }},
+      // rigid disc in the plane: Poisson's ratio, omega r / c_s
+      {"rigid_disc_translation_re", 2, [](Numbers x) { return exact::rigid_disc_translation(x[0], x[1]).real(); }},
+      {"rigid_disc_translation_im", 2, [](Numbers x) { return exact::rigid_disc_translation(x[0], x[1]).imag(); }},
+      {"rigid_disc_rotation_re", 1, [](Numbers x) { return exact::rigid_disc_rotation(x[0]).real(); }},
+      {"rigid_disc_rotation_im", 1, [](Numbers x) { return exact::rigid_disc_rotation(x[0]).imag(); }},
       // water in a uniform crack: pressure [Pa], aperture [m], length [m] (or time [s]), viscosity [Pa s]
       {"resting_crack_flux", 4, [](Numbers x) { return exact::resting_crack_flux(x[0], x[1], x[2], x[3]); }},
       {"filling_front", 4, [](Numbers x) { return exact::filling_front(x[0], x[1], x[2], x[3]); }},

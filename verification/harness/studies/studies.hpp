@@ -54,6 +54,14 @@ StudyOutput run_coupled_oscillator(const StudyInput& input);
 
 /// "kernel-march": J0 from M * M = G by `scheme` = first-kind or second-kind: kernel_error over `steps` of `step`.
 StudyOutput run_kernel_march(const StudyInput& input);
+/// "time-step": `steps` steps of `time_step` (or of `duration` / steps) by `integrator` (`spectral_radius`) of a `body`
+/// with known motion, then as many of `step_jump` times the length. "oscillator": mass 1, `omega`, Rayleigh `damping`
+/// ("stiffness" or "both") with `damping_ratio` at omega; "rod": length and wave speed 1 of `elements`. `drive`: "free"
+/// (let go at 1), "force" and "ground" (`amplitude` · sin(`forcing` t)), "pulse" (base moves by exact/oscillator.hpp).
+/// Gives displacement and velocity at the end (of the free end), largest_displacement, and of a free motion
+/// energy_drift.
+StudyOutput run_time_step(const StudyInput& input);
+
 /// "contact-history": the faces of one crack under a history of loads, solved warm: difference of the forces from exact
 /// contact by another method, largest penetration, restless states.
 StudyOutput run_contact_history(const StudyInput& input);
