@@ -164,7 +164,12 @@ Table<Output> output_table() {
           "summary and "
           "the history only",
           {key(&Output::fields_every,
-               {.name = "fields_every", .range = at_least(0), .meaning = "steps between field snapshots; 0: none"})}};
+               {.name = "fields_every", .range = at_least(0), .meaning = "steps between field snapshots; 0: none"}),
+           key(&Output::checkpoint_every,
+               {.name = "checkpoint_every",
+                .range = at_least(0),
+                .meaning = "steps between checkpoints of a dynamic run without cracks, to go on from by `sunder run "
+                           "--resume`; 0: none"})}};
 }
 
 }  // namespace

@@ -36,6 +36,9 @@ void require_place_for_fields(const scene::Scene& scene, const RunOptions& optio
 }  // namespace
 
 results::RunSummary run(const scene::Scene& scene, const RunOptions& options) {
+  if (options.resume && scene.analysis != scene::Analysis::dynamic) {
+    throw scene::SceneError(scene.file.string() + ": only a run with analysis = \"dynamic\" can be resumed");
+  }
   numerics::ThreadPool pool(options.threads);
   Ledger ledger;
   results::RunSummary summary;

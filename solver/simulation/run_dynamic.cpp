@@ -8,6 +8,7 @@
 #include "solver/fracture/propagation.hpp"
 #include "solver/scene/scene_error.hpp"
 #include "solver/simulation/analyses.hpp"
+#include "solver/simulation/checkpoint.hpp"
 #include "solver/simulation/crack_waters.hpp"
 #include "solver/simulation/dynamic_record.hpp"
 #include "solver/simulation/dynamic_step.hpp"
@@ -96,6 +97,12 @@ class Run {
   bool grow_tip(std::size_t crack, const mesh::Point& to);
   void finish();
 
+  bool keeps_checkpoints() const { return options_.resume || (scene_.output && scene_.output->checkpoint_every > 0); }
+  std::filesystem::path checkpoint_file() const { return options_.output / "checkpoint"; }
+  std::uint64_t key() const;
+  void write_checkpoint() const;
+  void resume();
+
   const scene::Scene& scene_;
   const RunOptions& options_;
   numerics::ThreadPool& pool_;
@@ -106,6 +113,7 @@ class Run {
   DynamicBody body_;
   std::vector<std::unique_ptr<AttachedMedium>> media_;
   std::vector<AttachedMedium*> visited_media_;
+  std::vector<Remembering*> remembered_;  // the convolutions of the media, where checkpoints are kept
   std::vector<Mouth> mouths_;
   CrackWaters waters_;
   StepOptions step_options_;
@@ -122,9 +130,77 @@ class Run {
   std::vector<std::vector<mesh::Point>> paths_;
   results::Quantity::List events_;
   std::string final_event_;
-  long long steps_ = 0;
+  long long steps_ = 0, done_ = 0;
   int crest_ = 0;
 };
+
+/// Everything that the steps to come depend on and that is formed again from the scene.
+std::uint64_t Run::key() const {
+  const auto add = [](std::uint64_t before, const auto& matrix) {
+    return fingerprint({matrix.data(), static_cast<std::size_t>(matrix.size())}, before);
+  };
+  const auto values = [](const Eigen::SparseMatrix<double>& matrix) {
+    return Eigen::Map<const VectorXd>(matrix.valuePtr(), matrix.nonZeros());
+  };
+  std::uint64_t key = add(fingerprint({}), values(body_.stiffness));
+  key = add(add(key, values(body_.mass)), body_.dead_load);
+  const auto& [scheme, time_step, damping] = step_options_;
+  const double single[] = {static_cast<double>(steps_),
+                           time_step,
+                           scheme.alpha_m,
+                           scheme.alpha_f,
+                           scheme.beta,
+                           scheme.gamma,
+                           damping.of_mass,
+                           damping.of_stiffness};
+  key = fingerprint(single, key);
+  for (long long number = 0; number <= steps_; ++number) {
+    key = add(key, shaking_.at(scene_.dynamics->time_step * static_cast<double>(number)));
+  }
+  for (const AttachedMedium* medium : visited_media_) key = add(key, medium->convolution->instantaneous_mass());
+  return key;
+}
+
+void Run::write_checkpoint() const {
+  Checkpoint checkpoint{.key = key(),
+                        .step = done_,
+                        .state = state_,
+                        .medium_forces = {},
+                        .medium_accelerations = {},
+                        .rows = {},
+                        .energy = energy_.tally()};
+  const results::History& history = record_->history();
+  for (std::size_t row = 0; row < history.rows(); ++row) {
+    for (std::size_t column = 0; column < history.columns().size(); ++column)
+      checkpoint.rows.push_back(history.at(row, column));
+  }
+  for (const VectorXd& force : step_->equations().medium_forces()) {
+    checkpoint.medium_forces.emplace_back(force.data(), force.data() + force.size());
+  }
+  for (const Remembering* medium : remembered_) checkpoint.medium_accelerations.push_back(medium->accelerations());
+  simulation::write_checkpoint(checkpoint_file(), checkpoint);
+}
+
+void Run::resume() {
+  const Checkpoint checkpoint = read_checkpoint(checkpoint_file(), key());
+  state_ = checkpoint.state;
+  next_ = state_;
+  done_ = checkpoint.step;
+  start_.ground = shaking_.at(state_.time);
+  end_ = start_;
+  std::vector<VectorXd> forces;
+  for (const std::vector<double>& force : checkpoint.medium_forces) {
+    forces.emplace_back(Eigen::Map<const VectorXd>(force.data(), std::ssize(force)));
+  }
+  step_->equations().begin_with(forces);
+  for (std::size_t m = 0; m < remembered_.size(); ++m) remembered_[m]->replay(checkpoint.medium_accelerations[m]);
+  energy_.resume(step_->equations(), state_, checkpoint.energy);
+  const std::size_t columns = record_->history().columns().size();
+  for (std::size_t at = 0; at < checkpoint.rows.size(); at += columns) {
+    record_->replay(std::span(checkpoint.rows).subspan(at, columns));
+  }
+  ledger_.count("steps", done_);
+}
 
 void Run::plan() {
   const scene::Dynamics& wanted = *scene_.dynamics;
@@ -140,6 +216,19 @@ void Run::plan() {
     if (medium != nullptr) {
       for (const std::string& warning : medium->warnings) summary_.warnings.push_back(warning);
       media_.push_back(std::move(medium));
+    }
+  }
+  if (keeps_checkpoints()) {
+    const auto refuse = [this](const char* what) {
+      throw scene::SceneError(scene::place_of(scene_, scene_.output ? "output" : "dynamics") + what);
+    };
+    if (body_.cracked()) refuse("checkpoints are kept of dams without cracks only; accepted: checkpoint_every = 0");
+    if (options_.output.empty()) refuse("checkpoint_every: this run has no folder to write to; accepted: 0");
+    for (const auto& medium : media_) {
+      auto remembering =
+          std::make_unique<Remembering>(std::move(medium->convolution), static_cast<std::size_t>(steps_ + 1));
+      remembered_.push_back(remembering.get());
+      medium->convolution = std::move(remembering);
     }
   }
   for (const auto& medium : media_) visited_media_.push_back(medium.get());
@@ -187,6 +276,17 @@ bool Run::begin() {
   }
   start_ = {.force = body_.dead_load, .ground = shaking_.at(0.0)};
   end_ = start_;
+  record_ = std::make_unique<DynamicRecord>(RecordedParts{.cracks = body_.cracks.size(),
+                                                          .media = !media_.empty(),
+                                                          .contact = scene_.contact.has_value(),
+                                                          .water = scene_.crack_water.has_value(),
+                                                          .propagation = scene_.propagation.has_value()},
+                                            static_cast<std::size_t>(steps_));
+  if (options_.resume) {
+    resume();
+    media_before_ = step_->equations().medium_forces();
+    return true;
+  }
   step_->equations().begin(state_, start_.ground, visited_media_);
   energy_.begin(step_->equations(), state_);
   media_before_ = step_->equations().medium_forces();
@@ -245,8 +345,7 @@ void Run::record(double time) {
 }
 
 bool Run::step(long long number) {
-  const double time =
-      number == steps_ ? scene_.dynamics->duration : scene_.dynamics->time_step * static_cast<double>(number);
+  const double time = scene_.dynamics->time_step * static_cast<double>(number);
   end_.ground = shaking_.at(time);
   if (!step_->solve(state_, start_, end_, next_)) {
     char text[200];
@@ -419,28 +518,29 @@ void Run::finish() {
 void Run::go() {
   plan();
   if (!begin()) return;
-  record_ = std::make_unique<DynamicRecord>(RecordedParts{.cracks = body_.cracks.size(),
-                                                          .media = !media_.empty(),
-                                                          .contact = scene_.contact.has_value(),
-                                                          .water = scene_.crack_water.has_value(),
-                                                          .propagation = scene_.propagation.has_value()},
-                                            static_cast<std::size_t>(steps_));
-  record(0.0);
+  if (done_ == 0) record(0.0);
   {
     const Ledger::Visit visit(ledger_, "dynamics", "steps");
-    for (long long number = 1; number <= steps_ && summary_.completed() && final_event_.empty(); ++number) {
+    for (long long number = done_ + 1; number <= steps_ && summary_.completed() && final_event_.empty(); ++number) {
       if (options_.stop != nullptr && options_.stop->load()) {
         summary_.status = "stopped: interrupted at " + seconds_text(state_.time);
+        if (keeps_checkpoints()) write_checkpoint();
         break;
       }
       if (!step(number)) break;
+      done_ = number;
       record(state_.time);
       ledger_.count("steps");
+      if (keeps_checkpoints() && scene_.output && scene_.output->checkpoint_every > 0 &&
+          number % scene_.output->checkpoint_every == 0) {
+        write_checkpoint();
+      }
       if (scene_.propagation && !grow_cracks()) break;
       if (options_.progress && number % 16 == 0)
         options_.progress("steps", static_cast<double>(number) / static_cast<double>(steps_));
     }
   }
+  if (summary_.completed() && keeps_checkpoints()) std::filesystem::remove(checkpoint_file());
   finish();
 }
 
