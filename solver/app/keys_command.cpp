@@ -12,7 +12,7 @@ int keys_command(const Arguments& arguments, const Console& console) {
     return completed;
   }
   for (const scene::TableReference& table : scene::reference()) {
-    console.out << table.heading << "  " << table.meaning << (table.built ? "" : " (not built yet)") << '\n';
+    console.out << table.heading << "  " << table.meaning << '\n';
     for (const scene::KeyReference& key : table.keys) {
       console.out << "  " << key.name << " = " << key.type << (key.accepted.empty() ? "" : " " + key.accepted)
                   << (key.unit.empty() ? "" : " [" + key.unit + "]") << "; "

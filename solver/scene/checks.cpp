@@ -6,7 +6,6 @@
 #include <system_error>
 
 #include "solver/scene/parts.hpp"
-#include "solver/scene/unbuilt.hpp"
 
 namespace sunder::scene {
 namespace {
@@ -296,15 +295,6 @@ void check_together(const Node& document, const Scene& scene, Findings& findings
   if (scene.foundation) check_founded_boundary(document, scene, findings);
   check_crack_faces(document, scene, findings);
   if (scene.analysis == Analysis::static_ && findings.count() == before) check_held(document, scene, findings);
-}
-
-void refuse_unbuilt(const Node& document, const Scene& scene, Findings& findings) {
-  if (std::find(unbuilt_analyses.begin(), unbuilt_analyses.end(), scene.analysis) != unbuilt_analyses.end())
-    findings.add(document.find("analysis")->origin, "",
-                 "not built yet: analysis = \"" + std::string(word_of(scene.analysis)) + "\"");
-  for (std::string_view table : unbuilt_tables)
-    if (document.has(table) && !built_in(table, scene.analysis))
-      findings.add(place(document, table), "", "not built yet: [" + std::string(table) + "]");
 }
 
 }  // namespace sunder::scene

@@ -13,7 +13,4 @@ namespace sunder::scene {
 /// a rigid motion, weight without density, files that are missing. `document` gives the places.
 void check_together(const Node& document, const Scene& scene, Findings& findings);
 
-/// Parts of the scene that cannot be run yet.
-void refuse_unbuilt(const Node& document, const Scene& scene, Findings& findings);
-
 }  // namespace sunder::scene

@@ -54,8 +54,7 @@ void complete(Scene& scene) {
 
 }  // namespace
 
-Scene read_scene_text(std::string_view text, const std::filesystem::path& name, std::span<const Override> overrides,
-                      UnbuiltParts unbuilt) {
+Scene read_scene_text(std::string_view text, const std::filesystem::path& name, std::span<const Override> overrides) {
   Node document = parse_document(text, name.string());
   apply_overrides(document, overrides);
   Findings findings(name.string(), overrides);
@@ -66,19 +65,17 @@ Scene read_scene_text(std::string_view text, const std::filesystem::path& name, 
   complete(scene);
   check_together(document, scene, findings);
   findings.throw_if_any();
-  if (unbuilt == UnbuiltParts::refuse) refuse_unbuilt(document, scene, findings);
-  findings.throw_if_any();
   return scene;
 }
 
-Scene read_scene(const std::filesystem::path& file, std::span<const Override> overrides, UnbuiltParts unbuilt) {
+Scene read_scene(const std::filesystem::path& file, std::span<const Override> overrides) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) throw SceneError(file.string() + ": is a folder, not a scene");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw SceneError(file.string() + ": cannot be opened; accepted: a scene, one TOML file");
   const std::string text(std::istreambuf_iterator<char>(stream), {});
   if (stream.bad()) throw SceneError(file.string() + ": cannot be read");
-  return read_scene_text(text, file, overrides, unbuilt);
+  return read_scene_text(text, file, overrides);
 }
 
 Override parse_override(std::string_view text) {

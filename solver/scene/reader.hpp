@@ -18,20 +18,15 @@ struct Override {
   std::string value;  ///< as TOML writes it: "3", "[[0, 1], [2, 1]]", "\"stress\""
 };
 
-/// What to do with a part that the scene has and the program cannot run yet.
-enum class UnbuiltParts { refuse, accept };
-
 /// Reads and checks the scene in `file`; files that it names are sought relative to its folder. Throws SceneError with
 /// everything that is wrong where it cannot be used: syntax, unknown or missing keys, types, ranges, contradictions
-/// between tables, and parts that are not built yet (last, so that their values are checked first). What needs the
+/// between tables. What needs the
 /// geometry computed (crossing outlines, cracks outside the body) is left to modules mesh and crack.
-[[nodiscard]] Scene read_scene(const std::filesystem::path& file, std::span<const Override> overrides = {},
-                               UnbuiltParts unbuilt = UnbuiltParts::refuse);
+[[nodiscard]] Scene read_scene(const std::filesystem::path& file, std::span<const Override> overrides = {});
 
 /// The same from a text; `name` stands for the file's path in messages and for its folder in what it names.
 [[nodiscard]] Scene read_scene_text(std::string_view text, const std::filesystem::path& name,
-                                    std::span<const Override> overrides = {},
-                                    UnbuiltParts unbuilt = UnbuiltParts::refuse);
+                                    std::span<const Override> overrides = {});
 
 /// Splits "mesh.order=3" at the first '='. Throws std::invalid_argument where there is none or nothing before it.
 [[nodiscard]] Override parse_override(std::string_view text);

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "solver/scene/parts.hpp"
-#include "solver/scene/unbuilt.hpp"
 
 namespace sunder::scene {
 namespace {
@@ -73,11 +72,7 @@ void refuse_unknown_key(const Node& value, const std::string& key, const std::st
 std::vector<TableReference> reference() {
   std::vector<TableReference> all{reference_of(head_table())};
   for (const Part& part : parts()) {
-    const bool built = std::find(unbuilt_tables.begin(), unbuilt_tables.end(), part.name) == unbuilt_tables.end();
-    for (TableReference table : part.references) {
-      table.built = built;
-      all.push_back(std::move(table));
-    }
+    all.insert(all.end(), part.references.begin(), part.references.end());
   }
   return all;
 }
@@ -85,11 +80,7 @@ std::vector<TableReference> reference() {
 std::string reference_markdown() {
   std::string text;
   for (const TableReference& table : reference()) {
-    text += "### `" + table.heading + "`\n\n" + table.meaning +
-            (table.built                                   ? ""
-             : built_in(table.name, Analysis::crack_water) ? " (built for analysis = \"crack-water\" only)"
-                                                           : " (not built yet)") +
-            "\n\n";
+    text += "### `" + table.heading + "`\n\n" + table.meaning + "\n\n";
     text += "| key | type | unit | accepted | default | meaning |\n|---|---|---|---|---|---|\n";
     for (const KeyReference& key : table.keys)
       text += "| `" + key.name + "` | " + cell(key.type) + " | " + key.unit + " | " + key.accepted + " | " +

@@ -14,7 +14,6 @@ struct TableReference {
   std::string name;     ///< "" for the keys above the first table; "mesh.refine" for a table inside a table
   std::string heading;  ///< as a scene writes it: "[mesh]", "[[crack]]", "mesh.refine = [{…}]"
   std::string meaning;
-  bool built = true;  ///< false: checked by the reader, but not run yet
   std::vector<KeyReference> keys;
 };
 

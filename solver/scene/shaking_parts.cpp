@@ -20,9 +20,8 @@ Table<Reservoir> reservoir_table() {
                                .meaning = "analysis = \"response\", instead of boundary and level"}),
        key(&Reservoir::density, {.name = "density", .unit = "kg/m³", .range = positive(), .meaning = "of water"}),
        key(&Reservoir::sound_speed, {.name = "sound_speed", .unit = "m/s", .range = positive(), .meaning = "in water"}),
-       key(&Reservoir::reflection_coefficient, {.name = "reflection_coefficient",
-                                                .range = {.low = -1.0, .high = 1.0, .low_open = true},
-                                                .meaning = "of the bottom; 1: rigid"}),
+       key(&Reservoir::reflection_coefficient,
+           {.name = "reflection_coefficient", .range = between(0.0, 1.0), .meaning = "of the bottom; 1: rigid"}),
        choice(&Reservoir::model,
               Choices<ReservoirModel>{{"hydrostatic", ReservoirModel::hydrostatic},
                                       {"westergaard", ReservoirModel::westergaard},
@@ -91,19 +90,15 @@ Table<GroundMotion> ground_motion_table() {
                 .meaning = "table of time [s] and acceleration [m/s²], or a PEER .at2 record; relative to the scene"}),
            key(&GroundMotion::vertical, {.name = "vertical", .meaning = "likewise"}),
            key(&GroundMotion::horizontal_scale, {.name = "horizontal_scale", .meaning = "-1 reverses the component"}),
-           key(&GroundMotion::vertical_scale, {.name = "vertical_scale", .meaning = "likewise"}),
-           key(&GroundMotion::baseline_correction,
-               {.name = "baseline_correction",
-                .meaning = "takes off the parabola in time that leaves the least velocity of the ground"})}};
+           key(&GroundMotion::vertical_scale, {.name = "vertical_scale", .meaning = "likewise"})}};
 }
 
 void check_dynamics(const Node& node, Dynamics& dynamics, const std::string& path, Findings& findings) {
   if (dynamics.duration < dynamics.time_step)
     findings.add(node.find("duration")->origin, path + ".duration",
                  shown(dynamics.duration) + " is shorter than one time step; accepted: at least time_step");
-  if (dynamics.damping_modes[0] > dynamics.damping_modes[1])
-    findings.add(node.find("damping_modes")->origin, path + ".damping_modes",
-                 "accepted: two modes in ascending order, or one twice");
+  if (dynamics.damping_modes[0] >= dynamics.damping_modes[1])
+    findings.add(node.find("damping_modes")->origin, path + ".damping_modes", "accepted: two modes in ascending order");
   const bool needed = dynamics.integrator == Integrator::generalised_alpha;
   if (needed && !dynamics.spectral_radius)
     findings.add(node.origin, path + ".spectral_radius", "is missing; the generalised-alpha integrator needs it");
@@ -131,9 +126,7 @@ Table<Dynamics> dynamics_table() {
                                           .range = {.low = 0.0, .high = 1.0, .high_open = true},
                                           .meaning = "Rayleigh damping, matched at damping_modes"}),
            key(&Dynamics::damping_modes,
-               {.name = "damping_modes",
-                .range = at_least(1),
-                .meaning = "counted from 1, ascending; one mode twice: damping by the stiffness alone"})},
+               {.name = "damping_modes", .range = at_least(1), .meaning = "counted from 1, ascending"})},
           check_dynamics};
 }
 
@@ -164,12 +157,7 @@ Table<Output> output_table() {
           "summary and "
           "the history only",
           {key(&Output::fields_every,
-               {.name = "fields_every", .range = at_least(0), .meaning = "steps between field snapshots; 0: none"}),
-           key(&Output::checkpoint_every,
-               {.name = "checkpoint_every",
-                .range = at_least(0),
-                .meaning = "steps between checkpoints of a dynamic run without cracks, to go on from by `sunder run "
-                           "--resume`; 0: none"})}};
+               {.name = "fields_every", .range = at_least(0), .meaning = "steps between field snapshots; 0: none"})}};
 }
 
 }  // namespace

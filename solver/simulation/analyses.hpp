@@ -28,4 +28,7 @@ void run_dynamic(const scene::Scene& scene, const Body& body, const RunOptions& 
 void run_crack_water(const scene::Scene& scene, const RunOptions& options, Ledger& ledger,
                      results::RunSummary& summary);
 
+/// The unbounded domains alone. Throws scene::SceneError as they do.
+void run_response(const scene::Scene& scene, numerics::ThreadPool& pool, Ledger& ledger, results::RunSummary& summary);
+
 }  // namespace sunder::simulation

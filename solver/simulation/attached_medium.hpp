@@ -1,7 +1,7 @@
 #pragma once
 /// An unbounded medium (reservoir, foundation) attached to the body's faces, as the step in time visits it.
 
-#include <functional>
+#include <Eigen/Core>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,9 +25,6 @@ struct AttachedMedium {
   std::vector<int> dofs;  ///< (n) of the body, 2·node + component, ascending; R acts on the medium, the body feels -R
   std::unique_ptr<convolution::Convolution> convolution;
   DrivenBy driven_by = DrivenBy::total;
-  /// Water: g (n) with p(y) = g · R [1/m], the pressure on the face at height y [m]. Empty: no pressure can be asked
-  /// for.
-  std::function<Eigen::VectorXd(double)> pressure_at = {};
   std::vector<std::string> warnings = {};  ///< words for the run's summary
 };
 
@@ -38,10 +35,17 @@ struct StepPlan {
 };
 
 /// The water of the scene's [reservoir] on its boundary: x of every node whose edge is wet. `hydrostatic` moves no
-/// water and has no medium: nullptr. Throws scene::SceneError at [reservoir] where the face is not one vertical line or
-/// the level is not on it.
+/// water and has no medium: nullptr. `westergaard` and `incompressible` are an instantaneous mass without history.
+/// Throws scene::SceneError at [reservoir] where the face is not one vertical line or the level is not on it.
 [[nodiscard]] std::unique_ptr<AttachedMedium> attach_reservoir(const scene::Scene& scene, const Body& body,
                                                                const StepPlan& plan, numerics::ThreadPool& pool,
                                                                Ledger& ledger);
+
+/// w (n), in the order of that medium's dofs: the pressure that its forces R make at a height of the face is w · R
+/// [Pa], beside the pressure at rest. Zero above the level. Throws as `attach_reservoir`.
+[[nodiscard]] Eigen::VectorXd reservoir_pressure_weights(const scene::Scene& scene, const Body& body, double height);
+
+/// ρ g (level - height) of the scene's [reservoir], 0 above the level [Pa]; g is that of [gravity], 9.81 m/s² without.
+[[nodiscard]] double reservoir_pressure_at_rest(const scene::Scene& scene, double height);
 
 }  // namespace sunder::simulation

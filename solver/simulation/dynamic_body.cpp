@@ -31,11 +31,12 @@ void join_loads(DynamicBody& body) {
 
 }  // namespace
 
-DynamicBody dynamic_body(const scene::Scene& scene, Body body, sbfem::Formation formation, numerics::ThreadPool& pool) {
+DynamicBody dynamic_body(const scene::Scene& scene, Body body, sbfem::Formation formation, bool rock_moves,
+                         numerics::ThreadPool& pool) {
   DynamicBody result;
   result.body = std::move(body);
   result.formation = std::move(formation);
-  result.supports = supports_of(scene, result.body, false);
+  result.supports = supports_of(scene, result.body, rock_moves, rock_moves);
   result.stiffness = sbfem::assemble_stiffness(result.body.nodes, result.formation, &pool);
   result.mass = sbfem::assemble_mass(result.body.nodes, result.formation, &pool);
   scene::Scene without_water = scene;  // the water in the cracks moves; it is no constant load
@@ -70,18 +71,6 @@ faces::FaceStructure face_structure(const DynamicBody& body, const Eigen::Matrix
     pair += n;
   }
   return structure;
-}
-
-faces::FaceStepOptions face_step_options(const scene::Scene& scene) {
-  faces::FaceStepOptions options;
-  if (!scene.contact) return options;
-  const scene::Contact& contact = *scene.contact;
-  options.contact =
-      contact.model == scene::ContactModel::exact ? faces::ContactRule::exact : faces::ContactRule::penalty;
-  options.initial_stiffness = contact.initial_stiffness;
-  options.growth_factor = contact.growth_factor;
-  options.penetration_tolerance = contact.penetration_tolerance;
-  return options;
 }
 
 std::vector<int> same_boundary_dofs(const Body& before, const Body& after) {

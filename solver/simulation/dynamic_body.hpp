@@ -31,17 +31,16 @@ struct DynamicBody {
   bool cracked() const { return !cracks.empty(); }
 };
 
-/// Forms what `formation` leaves to be formed. `scene` tells the loads; water in the cracks is not among them.
+/// Assembles what was formed. `scene` tells the loads; water in the cracks is not among them. `rock_moves`: the line of
+/// the foundation's near field is free, an attached medium holds it.
 [[nodiscard]] DynamicBody dynamic_body(const scene::Scene& scene, Body body, sbfem::Formation formation,
-                                       numerics::ThreadPool& pool);
+                                       bool rock_moves, numerics::ThreadPool& pool);
 
 /// The condensed answer of the body to forces between its faces: `X` (dofs, m) [m²/N] of `loads`, `added_mass` (cracks,
 /// m) what a unit force adds to each mouth's pressure.
 [[nodiscard]] faces::FaceStructure face_structure(const DynamicBody& body, const Eigen::MatrixXd& X,
                                                   Eigen::MatrixXd mouth,
                                                   std::span<const std::unique_ptr<faces::FaceWater>> waters);
-
-[[nodiscard]] faces::FaceStepOptions face_step_options(const scene::Scene& scene);
 
 /// For each degree of freedom on a named boundary of `before` that of the same place and side of `after`; -1 elsewhere,
 /// and where the boundary has changed.

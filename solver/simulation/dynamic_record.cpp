@@ -110,22 +110,6 @@ void DynamicRecord::add(const StepRecord& step, const Energies& energies) {
   }
 }
 
-void DynamicRecord::replay(std::span<const double> row) {
-  StepRecord step;
-  Energies energies;
-  std::size_t next = 0;
-  const auto take = [&row, &next](double& value) { value = row[next++]; };
-  take(step.time);
-  take(step.crest.x());
-  take(step.crest.y());
-  if (parts_.media) take(step.hydrodynamic_force);
-  for (double* energy : {&energies.kinetic, &energies.strain, &energies.damped, &energies.input, &energies.load}) {
-    take(*energy);
-  }
-  if (parts_.media) take(energies.radiated);
-  add(step, energies);
-}
-
 void DynamicRecord::write(Quantity& quantities) const {
   if (!begun_) return;
   quantities["peak_crest_displacement"] = std::abs(peak_crest_);

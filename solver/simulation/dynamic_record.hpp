@@ -2,7 +2,6 @@
 /// What a dynamic run remembers of each step: the columns of history.csv and the extremes of the summary.
 
 #include <Eigen/Core>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -46,11 +45,8 @@ class DynamicRecord {
   DynamicRecord(const RecordedParts& parts, std::size_t steps);
 
   void add(const StepRecord& step, const Energies& energies);
-  /// Adds the row of an earlier record of the same parts, which have no cracks.
-  void replay(std::span<const double> row);
   /// Peaks over all steps so far, by the names that scenes define.
   void write(results::Quantity& quantities) const;
-  const results::History& history() const { return history_; }
   results::History take_history() { return std::move(history_); }
 
  private:

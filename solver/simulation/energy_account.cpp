@@ -19,14 +19,6 @@ void EnergyAccount::begin(const StepEquations& equations, const MotionState& sta
   largest_ = energies_.stored();
 }
 
-void EnergyAccount::resume(const StepEquations& equations, const MotionState& state, const EnergyTally& tally) {
-  begin(equations, state);
-  energies_ = tally.energies;
-  begun_with_ = tally.begun_with;
-  worst_error_ = tally.worst_error;
-  largest_ = tally.largest;
-}
-
 void EnergyAccount::grow(const StepEquations& equations, const MotionState& state) {
   const double before = energies_.stored();
   const Eigen::Index dofs = state.displacement.size();

@@ -35,22 +35,10 @@ struct FaceWork {
   double contact = 0.0, water = 0.0;  ///< of the step [J/m]
 };
 
-/// All that an account carries from step to step, to go on with later.
-struct EnergyTally {
-  Energies energies;
-  double begun_with = 0.0, worst_error = 0.0, largest = 0.0;  ///< [J/m]
-};
-
 class EnergyAccount {
  public:
   /// Begins with the stored energy of `state`.
   void begin(const StepEquations& equations, const MotionState& state);
-
-  /// Goes on at `state` with what another account had there.
-  void resume(const StepEquations& equations, const MotionState& state, const EnergyTally& tally);
-  EnergyTally tally() const {
-    return {.energies = energies_, .begun_with = begun_with_, .worst_error = worst_error_, .largest = largest_};
-  }
 
   /// One step from `from` to `to` under the loads `start` and `end` (weights and standing water only). `equations`
   /// holds the forces of the media at the end, `media_before` those at the start. `released` (dofs) [N/m], empty but

@@ -12,9 +12,9 @@ std::vector<Mouth> mouths_of(const scene::Scene& scene, const Body& body,
     mouths[c].wet = true;
     mouths[c].resting = water->mouth_pressure;
     for (std::size_t m = 0; m < media.size(); ++m) {
-      if (!media[m]->pressure_at) continue;
+      if (media[m]->name != "reservoir") continue;
       mouths[c].medium = m;
-      mouths[c].weights = media[m]->pressure_at(water->mouth_level);
+      mouths[c].weights = reservoir_pressure_weights(scene, body, water->mouth_level);
     }
   }
   return mouths;

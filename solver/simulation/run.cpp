@@ -36,17 +36,19 @@ void require_place_for_fields(const scene::Scene& scene, const RunOptions& optio
 }  // namespace
 
 results::RunSummary run(const scene::Scene& scene, const RunOptions& options) {
-  if (options.resume && scene.analysis != scene::Analysis::dynamic) {
-    throw scene::SceneError(scene.file.string() + ": only a run with analysis = \"dynamic\" can be resumed");
-  }
   numerics::ThreadPool pool(options.threads);
   Ledger ledger;
   results::RunSummary summary;
   summary.name = scene.name;
   summary.analysis = word(scene.analysis);
   summary.threads = options.threads;
-  if (scene.analysis == scene::Analysis::crack_water) {  // no body at all
-    run_crack_water(scene, options, ledger, summary);
+  if (scene.analysis == scene::Analysis::crack_water || scene.analysis == scene::Analysis::response) {
+    // no body at all
+    if (scene.analysis == scene::Analysis::crack_water) {
+      run_crack_water(scene, options, ledger, summary);
+    } else {
+      run_response(scene, pool, ledger, summary);
+    }
     ledger.close(summary);
     if (options.progress) options.progress("done", 1.0);
     return summary;

@@ -4,7 +4,9 @@
 #include "solver/sbfem/assembly.hpp"
 #include "solver/sbfem/formation.hpp"
 #include "solver/sbfem/radial_bubbles.hpp"
+#include "solver/scene/scene_error.hpp"
 #include "solver/simulation/analyses.hpp"
+#include "solver/simulation/attached_medium.hpp"
 #include "solver/simulation/field_snapshot.hpp"
 #include "solver/simulation/free_vibration.hpp"
 #include "solver/simulation/static_loads.hpp"
@@ -68,6 +70,31 @@ void write_fields(const Body& body, const RunOptions& options, const Eigen::Matr
   visit.add_entries(3 * geometry.mesh.point_count() * shapes.cols());
 }
 
+/// Adds the mass of water that moves with the body.
+void add_reservoir(const scene::Scene& scene, const Body& body, numerics::ThreadPool& pool, Ledger& ledger,
+                   VibratingBody& vibrating, results::RunSummary& summary) {
+  if (scene.reservoir->model == scene::ReservoirModel::compressible)
+    throw scene::SceneError(scene::place_of(scene, "reservoir") +
+                            "model: the mass of \"compressible\" water depends on the frequency, so there are no "
+                            "natural frequencies of this kind; accepted: westergaard, incompressible, hydrostatic");
+  const std::unique_ptr<AttachedMedium> medium = attach_reservoir(scene, body, {}, pool, ledger);
+  if (medium == nullptr) {
+    summary.warnings.push_back(
+        "[reservoir] model = \"hydrostatic\" has no mass: the frequencies are those of the "
+        "empty body");
+    return;
+  }
+  const Eigen::MatrixXd& added = medium->convolution->instantaneous_mass();
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index j = 0; j < added.cols(); ++j)  // ascending dofs: the lower triangle stays the lower triangle
+    for (Eigen::Index i = j; i < added.rows(); ++i)
+      entries.emplace_back(medium->dofs[static_cast<std::size_t>(i)], medium->dofs[static_cast<std::size_t>(j)],
+                           added(i, j));
+  Eigen::SparseMatrix<double> water(body.dofs(), body.dofs());
+  water.setFromTriplets(entries.begin(), entries.end());
+  vibrating.mass += water;
+}
+
 }  // namespace
 
 void run_modal(const scene::Scene& scene, const Body& body, const RunOptions& options, numerics::ThreadPool& pool,
@@ -90,6 +117,8 @@ void run_modal(const scene::Scene& scene, const Body& body, const RunOptions& op
     visit.add_entries(vibrating.stiffness.nonZeros() + vibrating.mass.nonZeros() +
                       vibrating.bubble_coupling.nonZeros());
   }
+
+  if (scene.reservoir) add_reservoir(scene, body, pool, ledger, vibrating, summary);
 
   report("modes", 0.5);
   const FreeVibration vibration = [&] {

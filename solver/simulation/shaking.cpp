@@ -63,11 +63,6 @@ Shaking shaking_of(const scene::Scene& scene) {
   const scene::GroundMotion& wanted = *scene.ground_motion;
   shaking.horizontal = read(scene, "horizontal", wanted.horizontal);
   if (wanted.vertical) shaking.vertical = read(scene, "vertical", *wanted.vertical);
-  if (wanted.baseline_correction) {
-    for (std::optional<dynamics::GroundMotion>* record : {&shaking.horizontal, &shaking.vertical}) {
-      if (*record) *record = dynamics::baseline_corrected(std::move(**record));
-    }
-  }
   shaking.horizontal_scale = wanted.horizontal_scale;
   shaking.vertical_scale = wanted.vertical_scale;
   return shaking;

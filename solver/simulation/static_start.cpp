@@ -2,10 +2,9 @@
 
 namespace sunder::simulation {
 
-StaticStart static_start(const DynamicBody& body, std::span<const Mouth> mouths, const CrackWaters& waters,
-                         const faces::FaceStepOptions& options) {
+StaticStart static_start(const DynamicBody& body, const Constraints& constraints, std::span<const Mouth> mouths,
+                         const CrackWaters& waters, const faces::FaceStepOptions& options) {
   StaticStart start;
-  const Constraints& constraints = body.supports.constraints;
   Eigen::SparseMatrix<double> matrix = body.stiffness;
   Eigen::VectorXd u = body.dead_load;
   eliminate(constraints, matrix.diagonal().cwiseAbs().mean(), matrix, u);
@@ -15,7 +14,18 @@ StaticStart static_start(const DynamicBody& body, std::span<const Mouth> mouths,
   if (start.status != numerics::FactorStatus::factorised) return start;
   factor.solve_in_place(u);
   start.displacement = u;
-  if (!body.cracked()) return start;
+  const auto find_reaction = [&] {
+    start.reaction = body.stiffness.selfadjointView<Eigen::Lower>() * start.displacement;
+    start.reaction -= body.dead_load;
+    if (body.cracked()) start.reaction -= body.loads * start.faces.force;
+    for (Eigen::Index dof = 0; dof < start.reaction.size(); ++dof) {
+      if (!constraints.fixed[static_cast<std::size_t>(dof)]) start.reaction[dof] = 0.0;
+    }
+  };
+  if (!body.cracked()) {
+    find_reaction();
+    return start;
+  }
 
   Eigen::MatrixXd X = body.loads;
   for (Eigen::Index dof = 0; dof < X.rows(); ++dof) {
@@ -33,6 +43,7 @@ StaticStart static_start(const DynamicBody& body, std::span<const Mouth> mouths,
   start.displacement += X * result.force;
   start.faces = {
       .force = result.force, .opening = result.opening, .contact = result.contact_force, .stiffness = result.stiffness};
+  find_reaction();
   return start;
 }
 

@@ -11,10 +11,11 @@ struct StaticStart {
   bool faces_found = true;       ///< contact and water were found
   Eigen::VectorXd displacement;  ///< (dofs) [m]
   FaceMemory faces;
+  Eigen::VectorXd reaction;  ///< (dofs) [N/m]: forces of what holds the body at rest, where `held` says so
 };
 
-/// `waters`: those of uniform_waters.
-[[nodiscard]] StaticStart static_start(const DynamicBody& body, std::span<const Mouth> mouths,
+/// `held`: what is held at rest, at least the body's own supports. `waters`: those of uniform_waters.
+[[nodiscard]] StaticStart static_start(const DynamicBody& body, const Constraints& held, std::span<const Mouth> mouths,
                                        const CrackWaters& waters, const faces::FaceStepOptions& options);
 
 }  // namespace sunder::simulation

@@ -114,7 +114,6 @@ const Wrong wrong_scenes[] = {
      "size = 0.5",
      "size = 0.5\nmax_polygons = 5",
      {"block.toml:6: [mesh]", "more than max_polygons = 5"}},
-    {"a part not built yet", "[[load]]", "[contact]\n[[load]]", {"block.toml:14:1: not built yet: [contact]"}},
 };
 INSTANTIATE_TEST_SUITE_P(EndToEnd, WrongScene, testing::ValuesIn(wrong_scenes));
 

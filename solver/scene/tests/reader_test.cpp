@@ -166,7 +166,7 @@ TEST(Reader, GivesAModalSceneTheDefaultCount) {
 }
 
 TEST(Reader, ReadsADynamicSceneThatIsNotBuiltYet) {
-  const Scene scene = read_scene_text(dynamic_scene, "koyna.toml", {}, UnbuiltParts::accept);
+  const Scene scene = read_scene_text(dynamic_scene, "koyna.toml");
   EXPECT_EQ(scene.analysis, Analysis::dynamic);
   EXPECT_EQ(scene.reservoir->boundary, "upstream");
   EXPECT_EQ(scene.reservoir->level, 96.5);
@@ -192,7 +192,7 @@ TEST(Reader, ReadsADynamicSceneThatIsNotBuiltYet) {
 }
 
 TEST(Reader, ReadsCrackWaterAlone) {
-  const Scene scene = read_scene_text(crack_water_scene, "pekau.toml", {}, UnbuiltParts::accept);
+  const Scene scene = read_scene_text(crack_water_scene, "pekau.toml");
   EXPECT_EQ(scene.crack_line->length, 45.0);
   EXPECT_EQ(scene.crack_line->segments, 450);
   EXPECT_EQ(scene.crack_line->aperture, (std::vector{0.10, 0.05}));
@@ -208,7 +208,7 @@ TEST(Reader, ReadsCrackWaterAlone) {
 }
 
 TEST(Reader, ReadsTheResponseOfAnUnboundedDomain) {
-  const Scene scene = read_scene_text(response_scene, "response.toml", {}, UnbuiltParts::accept);
+  const Scene scene = read_scene_text(response_scene, "response.toml");
   EXPECT_EQ(scene.reservoir->depth, 100.0);
   EXPECT_EQ(scene.foundation->half_width, 1.0);
   EXPECT_EQ(scene.foundation->shape, FoundationShape::disc);
@@ -219,7 +219,7 @@ TEST(Reader, ReadsTheResponseOfAnUnboundedDomain) {
 }
 
 TEST(Reader, KnowsWhereTheTablesStand) {
-  const Scene scene = read_scene_text(dynamic_scene, "koyna.toml", {}, UnbuiltParts::accept);
+  const Scene scene = read_scene_text(dynamic_scene, "koyna.toml");
   const auto line_of = [](std::string_view heading) {
     const std::string_view text(dynamic_scene);
     const auto at = text.find(heading);

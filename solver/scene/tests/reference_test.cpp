@@ -8,7 +8,6 @@
 
 #include "solver/scene/reader.hpp"
 #include "solver/scene/tests/scenes.hpp"
-#include "solver/scene/unbuilt.hpp"
 
 namespace sunder::scene {
 namespace {
@@ -66,16 +65,6 @@ TEST(Reference, SaysWhatIsAcceptedAndInWhichUnit) {
   EXPECT_EQ(key_of("mesh", "order").accepted, "1 … 64");
   EXPECT_EQ(key_of("material", "poisson_ratio").accepted, ">= 0, < 0.5");
   EXPECT_EQ(key_of("reservoir", "reflection_coefficient").accepted, "> -1, <= 1");
-}
-
-// The list of what is not built is kept by hand: its names must be tables, and exactly those are marked.
-TEST(Reference, MarksWhatIsNotBuiltYet) {
-  std::set<std::string> unbuilt(unbuilt_tables.begin(), unbuilt_tables.end());
-  EXPECT_EQ(unbuilt.size(), unbuilt_tables.size());
-  std::set<std::string> marked;
-  for (const TableReference& table : reference())
-    if (!table.built) marked.insert(table.name.substr(0, table.name.find('.')));
-  EXPECT_EQ(marked, unbuilt);
 }
 
 }  // namespace

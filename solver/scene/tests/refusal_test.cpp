@@ -13,10 +13,9 @@ namespace sunder::scene {
 namespace {
 
 /// What the reader says about `text`; empty where it accepts it.
-std::string refusal(const std::string& text, std::vector<Override> overrides = {},
-                    UnbuiltParts unbuilt = UnbuiltParts::refuse) {
+std::string refusal(const std::string& text, std::vector<Override> overrides = {}) {
   try {
-    static_cast<void>(read_scene_text(text, "dam.toml", overrides, unbuilt));
+    static_cast<void>(read_scene_text(text, "dam.toml", overrides));
     return {};
   } catch (const SceneError& error) {
     return error.what();
@@ -45,7 +44,7 @@ class Refusal : public testing::TestWithParam<Spoilt> {};
 
 TEST_P(Refusal, SaysWhereWhatAndWhatIsAccepted) {
   const Spoilt& spoilt = GetParam();
-  const std::string said = refusal(changed(spoilt.scene, spoilt.from, spoilt.to), {}, UnbuiltParts::accept);
+  const std::string said = refusal(changed(spoilt.scene, spoilt.from, spoilt.to));
   EXPECT_EQ(said.substr(0, std::string(spoilt.message).size()), spoilt.message) << said;
 }
 
@@ -380,23 +379,6 @@ TEST(Refusals, ReportEverythingThatIsWrongInTheOrderOfTheFile) {
   EXPECT_LT(second, third) << said;
   EXPECT_LT(third, fourth) << said;
   EXPECT_NE(fourth, std::string::npos) << said;
-}
-
-TEST(Refusals, SayWhatIsNotBuiltYet) {
-  const std::string said = refusal(dynamic_scene);
-  EXPECT_EQ(said.find("dam.toml:2:12: not built yet: analysis = \"dynamic\""), 0u) << said;
-  for (const char* table : {"reservoir", "foundation", "propagation", "ground_motion", "dynamics", "output"})
-    EXPECT_NE(said.find(": not built yet: [" + std::string(table) + "]"), std::string::npos) << table << " in " << said;
-  EXPECT_EQ(said.find("[mesh]"), std::string::npos) << said;
-  EXPECT_EQ(said.find("[contact]"), std::string::npos) << said;
-  EXPECT_NO_THROW(static_cast<void>(read_scene_text(crack_water_scene, "dam.toml")));  // built for a crack alone
-  EXPECT_NE(refusal(response_scene).find("not built yet: [response]"), std::string::npos);
-}
-
-TEST(Refusals, CheckAPartBeforeSayingThatItIsNotBuilt) {
-  const std::string said = refusal(changed(dynamic_scene, "time_step = 0.01", "time_step = -1"));
-  EXPECT_NE(said.find("dynamics.time_step: -1 is not accepted"), std::string::npos) << said;
-  EXPECT_EQ(said.find("not built yet"), std::string::npos) << said;
 }
 
 struct BadOverride {

@@ -1,0 +1,78 @@
+#pragma once
+/// A dynamic run under way: rest, steps, growth, and what is remembered of them. Private to run_dynamic.cpp and
+/// dynamic_growth.cpp.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "solver/fracture/propagation.hpp"
+#include "solver/results/run_summary.hpp"
+#include "solver/simulation/dynamic_options.hpp"
+#include "solver/simulation/dynamic_record.hpp"
+#include "solver/simulation/dynamic_step.hpp"
+#include "solver/simulation/growth.hpp"
+#include "solver/simulation/run.hpp"
+#include "solver/simulation/surroundings.hpp"
+
+namespace sunder::simulation {
+
+class DynamicRun {
+ public:
+  DynamicRun(const scene::Scene& scene, const Body& body, const RunOptions& options, numerics::ThreadPool& pool,
+             Ledger& ledger, results::RunSummary& summary);
+
+  /// Runs to the end, or to where the summary's status says.
+  void go();
+
+ private:
+  // Each is false where the run cannot go on; the summary's status then says why.
+  bool begin();
+  bool step(long long number);
+  bool grow_cracks();
+  bool grow_tip(std::size_t crack, const mesh::Point& to);
+
+  void make_step(const FaceMemory& memory);
+  StepRecord observe() const;
+  CrackRecord observe_crack(std::size_t crack, Eigen::Index first_pair) const;
+  FaceMemory remembered(const DynamicBody& before) const;
+  bool held_closed(std::size_t crack) const;
+  void note_event(std::size_t crack, const std::string& what, const mesh::Point& place);
+  void finish();
+  void stop(const std::string& why) { summary_.status = "stopped: " + why; }
+  std::string time_text() const;
+
+  const scene::Scene& scene_;
+  const RunOptions& options_;
+  numerics::ThreadPool& pool_;
+  Ledger& ledger_;
+  results::RunSummary& summary_;
+
+  // the body between two growth events
+  DynamicBody body_;
+  std::unique_ptr<Surroundings> around_;
+  std::vector<Mouth> mouths_;
+  CrackWaters waters_;
+  StepOptions step_options_;
+  faces::FaceStepOptions face_options_;
+  std::unique_ptr<DynamicStep> step_;
+  int crest_ = 0;
+
+  // where it is
+  long long number_ = 0;  // of the last accepted step
+  MotionState state_, next_;
+  StepLoad start_, end_;
+  std::vector<Eigen::VectorXd> media_before_;
+  Eigen::VectorXd released_;  // what held the new faces together; empty but in the step after a growth event
+  std::vector<fracture::SpeedAllowance> allowances_;
+
+  // what is remembered
+  EnergyAccount energy_;
+  std::unique_ptr<DynamicRecord> record_;
+  StepRecord now_;
+  std::vector<std::vector<mesh::Point>> paths_;
+  results::Quantity::List events_;
+  std::string end_event_;  // an end that is no failure: the body is cut through
+};
+
+}  // namespace sunder::simulation
