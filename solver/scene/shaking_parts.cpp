@@ -97,8 +97,9 @@ void check_dynamics(const Node& node, Dynamics& dynamics, const std::string& pat
   if (dynamics.duration < dynamics.time_step)
     findings.add(node.find("duration")->origin, path + ".duration",
                  shown(dynamics.duration) + " is shorter than one time step; accepted: at least time_step");
-  if (dynamics.damping_modes[0] >= dynamics.damping_modes[1])
-    findings.add(node.find("damping_modes")->origin, path + ".damping_modes", "accepted: two modes in ascending order");
+  if (dynamics.damping_modes[0] > dynamics.damping_modes[1])
+    findings.add(node.find("damping_modes")->origin, path + ".damping_modes",
+                 "accepted: two modes in ascending order, or one twice");
   const bool needed = dynamics.integrator == Integrator::generalised_alpha;
   if (needed && !dynamics.spectral_radius)
     findings.add(node.origin, path + ".spectral_radius", "is missing; the generalised-alpha integrator needs it");
@@ -126,7 +127,9 @@ Table<Dynamics> dynamics_table() {
                                           .range = {.low = 0.0, .high = 1.0, .high_open = true},
                                           .meaning = "Rayleigh damping, matched at damping_modes"}),
            key(&Dynamics::damping_modes,
-               {.name = "damping_modes", .range = at_least(1), .meaning = "counted from 1, ascending"})},
+               {.name = "damping_modes",
+                .range = at_least(1),
+                .meaning = "counted from 1, ascending; one mode twice: damping by the stiffness alone"})},
           check_dynamics};
 }
 
