@@ -29,10 +29,11 @@ TEST(TimeScheme, SpectralRadiusAtInfiniteFrequencyIsTheOneAskedFor) {
 
 TEST(TimeScheme, NoneGrowsAnywhere) {
   for (double phase = 1e-4; phase < 1e5; phase *= 1.5) {
-    for (const double rho : {0.5, 0.8, 1.0}) {
-      EXPECT_LE(radius(hht_alpha(rho), phase), 1.0 + 1e-10);
-      EXPECT_LE(radius(generalised_alpha(rho), phase), 1.0 + 1e-10);
-    }
+    for (const double rho : {0.5, 0.8, 1.0}) EXPECT_LE(radius(hht_alpha(rho), phase), 1.0 + 1e-10) << phase;
+    for (const double rho : {0.2, 0.5, 0.8}) EXPECT_LE(radius(generalised_alpha(rho), phase), 1.0 + 1e-10) << phase;
+    // At ρ = 1 the eigenvalue of the acceleration's memory is -1 for every phase, and the other two come to it with
+    // growing phase: of a triple eigenvalue round-off leaves its cube root, 6e-6, times a factor of order one.
+    EXPECT_LE(radius(generalised_alpha(1.0), phase), 1.0 + 2e-5) << phase;
   }
 }
 
