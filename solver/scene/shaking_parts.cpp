@@ -90,10 +90,7 @@ Table<GroundMotion> ground_motion_table() {
                 .meaning = "table of time [s] and acceleration [m/s²], or a PEER .at2 record; relative to the scene"}),
            key(&GroundMotion::vertical, {.name = "vertical", .meaning = "likewise"}),
            key(&GroundMotion::horizontal_scale, {.name = "horizontal_scale", .meaning = "-1 reverses the component"}),
-           key(&GroundMotion::vertical_scale, {.name = "vertical_scale", .meaning = "likewise"}),
-           key(&GroundMotion::baseline_correction,
-               {.name = "baseline_correction",
-                .meaning = "takes off the parabola in time that leaves the least velocity of the ground"})}};
+           key(&GroundMotion::vertical_scale, {.name = "vertical_scale", .meaning = "likewise"})}};
 }
 
 void check_dynamics(const Node& node, Dynamics& dynamics, const std::string& path, Findings& findings) {
@@ -163,7 +160,11 @@ Table<Output> output_table() {
           "summary and "
           "the history only",
           {key(&Output::fields_every,
-               {.name = "fields_every", .range = at_least(0), .meaning = "steps between field snapshots; 0: none"})}};
+               {.name = "fields_every", .range = at_least(0), .meaning = "steps between field snapshots; 0: none"}),
+           key(&Output::profile_times, {.name = "profile_times",
+                                        .unit = "s",
+                                        .meaning = "analysis = \"dynamic\": pressure and opening along the cracks at "
+                                                   "the steps nearest to these"})}};
 }
 
 }  // namespace

@@ -135,6 +135,7 @@ bool DynamicRun::grow_tip(std::size_t crack, const mesh::Point& to) {
   around_->load_at(number_, body_.dead_load, start_);
   end_ = start_;
   crest_ = crest_node(body_.body);
+  drawn_.reset();
   energy_.grow(step_->equations(), state_);
   released_ = step_->unbalanced(state_, start_);
   visit.add_entries(step_->equations().factor_entries());

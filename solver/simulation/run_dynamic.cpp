@@ -171,6 +171,8 @@ void DynamicRun::finish() {
     found["crack_path"] = paths.size() == 1 ? paths.front() : results::Quantity(paths);
     found["events"] = events_;
   }
+  if (!profiles_.empty()) found["profiles"] = profiles_;
+  if (fields_ != nullptr) fields_->commit();
   summary_.history = record_->take_history();
   summary_.mesh = {
       .polygons = body_.body.nodes.polygon_count(), .nodes = body_.body.nodes.node_count(), .dofs = body_.body.dofs()};
@@ -188,6 +190,7 @@ void DynamicRun::go() {
                                             static_cast<std::size_t>(steps));
   now_ = observe();
   record_->add(now_, energy_.energies());
+  write_fields();
   {
     const Ledger::Visit visit(ledger_, "dynamics", "steps");
     for (long long number = 1; number <= steps; ++number) {
@@ -198,6 +201,8 @@ void DynamicRun::go() {
       if (!step(number)) break;
       now_ = observe();
       record_->add(now_, energy_.energies());
+      note_profiles();
+      write_fields();
       ledger_.count("steps");
       if (scene_.propagation && number < steps && !grow_cracks()) break;
       if (!end_event_.empty()) break;

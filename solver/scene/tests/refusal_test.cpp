@@ -313,10 +313,10 @@ const Spoilt later[] = {
     {"radius needless", dynamic_scene, "generalised-alpha", "newmark",
      "dam.toml:57:19: dynamics.spectral_radius: the newmark integrator has none"},
     {"damping modes", dynamic_scene, "[1, 3]", "[3, 1]",
-     "dam.toml:58:17: dynamics.damping_modes: accepted: two modes in ascending order"},
+     "dam.toml:58:17: dynamics.damping_modes: accepted: two modes in ascending order, or one twice"},
     {"damping modes count", dynamic_scene, "[1, 3]", "[1, 2, 3]",
      "dam.toml:58:17: dynamics.damping_modes: [1, 2, 3] is a list of 3; accepted: a list of 2 numbers >= 1 (counted "
-     "from 1, ascending)"},
+     "from 1, ascending; one mode twice: damping by the stiffness alone)"},
     {"damping ratio", dynamic_scene, "damping_modes = [1, 3]", "damping_ratio = 1",
      "dam.toml:58:17: dynamics.damping_ratio: 1 is not accepted; accepted: a number >= 0, < 1 (Rayleigh damping, "
      "matched at damping_modes)"},
