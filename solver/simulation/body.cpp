@@ -143,29 +143,29 @@ crack::CutOptions cut_options(const scene::Scene& scene) {
   return options;
 }
 
+/// Edges on crack faces that have an edge of a crack polygon opposite. A tip polygon may hold a piece of one face, as
+/// behind a kink; both faces of a piece need the same nodes to be paired.
+std::set<mesh::Edge> opposite_tip_edges(const mesh::PolygonMesh& polygons) {
+  std::set<mesh::Edge> of_tips, opposite;
+  for (const mesh::Polygon& polygon : polygons.polygons) {
+    if (!polygon.open) continue;
+    for (int e = 0; e < polygon.edge_count(); ++e) of_tips.insert(polygon.edge(e));
+  }
+  if (of_tips.empty()) return opposite;
+  for (const mesh::CrackFaces& faces : polygons.cracks) {
+    for (std::size_t i = 0; i + 1 < faces.lower.size(); ++i) {
+      const mesh::Edge below{faces.lower[i + 1], faces.lower[i]}, above{faces.upper[i], faces.upper[i + 1]};
+      if (of_tips.contains(below)) opposite.insert(above);
+      if (of_tips.contains(above)) opposite.insert(below);
+    }
+  }
+  return opposite;
+}
+
 /// On a coarse tip polygon the edges' order decides K_I, and raising it costs next to nothing (measured: README).
 int tip_order(const scene::Mesh& mesh) {
   if (mesh.tip_order) return *mesh.tip_order;
   return mesh.cells == scene::Cells::one ? mesh.order : mesh.order + 1;
-}
-
-/// A tip polygon next to a kink may have a stretch of its crack's own face on one side only. The edges opposite: both
-/// faces need the same nodes.
-std::vector<mesh::Edge> opposite_faces_of_tip_polygons(const mesh::PolygonMesh& mesh) {
-  std::set<mesh::Edge> of_tips;
-  for (const mesh::Polygon& polygon : mesh.polygons) {
-    if (!polygon.open) continue;
-    for (int e = 0; e < polygon.edge_count(); ++e) of_tips.insert(polygon.edge(e));
-  }
-  std::vector<mesh::Edge> opposite;
-  for (const mesh::CrackFaces& faces : mesh.cracks) {
-    for (std::size_t i = 0; i + 1 < faces.lower.size(); ++i) {
-      const mesh::Edge below{faces.lower[i + 1], faces.lower[i]}, above{faces.upper[i], faces.upper[i + 1]};
-      if (of_tips.contains(below)) opposite.push_back(above);
-      if (of_tips.contains(above)) opposite.push_back(below);
-    }
-  }
-  return opposite;
 }
 
 }  // namespace
@@ -210,13 +210,10 @@ Body build_body(const scene::Scene& scene, Ledger& ledger) {
 void place_nodes(Body& body) {
   const Discretisation& rule = body.discretisation;
   if (rule.edge_size) mesh::divide_long_edges(body.polygons, {.size = *rule.edge_size});
-  std::set<std::pair<int, int>> raised;
-  for (const PolygonEdge& place : find_edges(body.polygons, opposite_faces_of_tip_polygons(body.polygons))) {
-    if (place.polygon >= 0) raised.emplace(place.polygon, place.edge);
-  }
+  const std::set<mesh::Edge> opposite = opposite_tip_edges(body.polygons);
   body.nodes = mesh::place_nodes(body.polygons, [&](int polygon, int edge) {
-    const bool at_tip = body.polygons.polygons[polygon].open || raised.contains({polygon, edge});
-    return at_tip ? rule.tip_order : rule.order;
+    const mesh::Polygon& owner = body.polygons.polygons[polygon];
+    return owner.open || opposite.contains(owner.edge(edge)) ? rule.tip_order : rule.order;
   });
 }
 

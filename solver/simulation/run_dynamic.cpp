@@ -109,7 +109,9 @@ CrackRecord DynamicRun::observe_crack(std::size_t crack, Index first_pair) const
 }
 
 StepRecord DynamicRun::observe() const {
-  StepRecord record{.time = state_.time, .crest = state_.displacement.segment<2>(2 * crest_)};
+  StepRecord record;
+  record.time = state_.time;
+  record.crest = state_.displacement.segment<2>(2 * crest_);
   for (std::size_t m = 0; m < around_->media().size(); ++m) {
     const AttachedMedium& medium = *around_->media()[m];
     if (medium.name == "reservoir") record.hydrodynamic_force = -step_->equations().medium_forces()[m].sum();

@@ -7,6 +7,7 @@
 #include "verification/exact/bodies.hpp"
 #include "verification/exact/crack_water.hpp"
 #include "verification/exact/cracks.hpp"
+#include "verification/exact/reservoir.hpp"
 #include "verification/exact/vibration.hpp"
 
 namespace sunder::verification {
@@ -57,6 +58,10 @@ const std::vector<NumberFunction>& number_functions() {
       {"arc_crack_biaxial_K_II", 3, [](Numbers x) { return exact::arc_crack_biaxial(x[0], x[1], x[2]).K_II; }},
       {"arc_crack_uniaxial_K_I", 3, [](Numbers x) { return exact::arc_crack_uniaxial(x[0], x[1], x[2]).K_I; }},
       {"arc_crack_uniaxial_K_II", 3, [](Numbers x) { return exact::arc_crack_uniaxial(x[0], x[1], x[2]).K_II; }},
+      // reservoir with a rigid bottom: kappa; mass over that of still water, dry frequency; T
+      {"reservoir_force", 1, [](Numbers x) { return exact::reservoir_force(x[0]); }},
+      {"coupled_frequency", 2, [](Numbers x) { return exact::coupled_frequency(x[0], x[1]); }},
+      {"reservoir_impulse_before_echo", 1, [](Numbers x) { return exact::reservoir_impulse_before_echo(x[0]); }},
       {"kink_angle", 2, [](Numbers x) { return exact::kink_angle(x[0], x[1]); }},
       // E [Pa], nu, rho [kg/m³], side [m], index from 0 [rad/s]
       {"roller_square_plane_strain", 5,

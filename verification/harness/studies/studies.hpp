@@ -41,6 +41,19 @@ StudyOutput run_jitter(const StudyInput& input);
 /// strain_energy_change and kinetic_energy_change of the equilibrium itself, one an event.
 StudyOutput run_state_transfer(const StudyInput& input);
 
+/// "convolve": the water's convolution of white noise on a face of `elements` quadratic elements (ρ = c = H = 1) for
+/// `steps` of `step`, by `method` (automatic, direct, blocked-direct, block-fft, state-space with `tolerance`;
+/// `truncation` H/c) against the plain sum: error (largest, of the largest force), relative_error (of norms),
+/// stated_error, share_of_bound of the stated absolute error; with `passivity` = 1 least_power on the unit circle.
+StudyOutput run_convolve(const StudyInput& input);
+
+/// "coupled-oscillator": an undamped oscillator (`mass_ratio`, `dry` frequency) on a rigid face over a rigid bottom for
+/// `duration` H/c in steps of `step`, with weights of `scheme` (trapezoidal, contour, hat, sampled, load-side), cut at
+/// `truncation`: growth (largest displacement of the last tenth over that of the first), mass_share W_0/m, frequency.
+StudyOutput run_coupled_oscillator(const StudyInput& input);
+
+/// "kernel-march": J0 from M * M = G by `scheme` = first-kind or second-kind: kernel_error over `steps` of `step`.
+StudyOutput run_kernel_march(const StudyInput& input);
 /// "contact-history": the faces of one crack under a history of loads, solved warm: difference of the forces from exact
 /// contact by another method, largest penetration, restless states.
 StudyOutput run_contact_history(const StudyInput& input);
