@@ -22,6 +22,7 @@ struct Arguments {
   std::optional<std::filesystem::path> picture;  ///< check: where to draw the mesh (SVG)
   int threads = 1;                               ///< >= 1; absent on the line: one a core
   bool quiet = false;
+  bool resume = false;    ///< run: from the checkpoint in the output folder
   bool markdown = false;  ///< keys: as the documentation has them
 };
 

@@ -61,7 +61,8 @@ int run_command(const Arguments& arguments, const Console& console, const Solver
         .threads = arguments.threads,
         .progress = [&progress](std::string_view phase, double fraction) { progress.show(phase, fraction); },
         .stop = &watch.stop(),
-        .output = folder};
+        .output = folder,
+        .resume = arguments.resume};
     at_its_place(scene, [&] { summary = solver.run(scene, options); });
   }
   results::stop_if_not_finite(summary);

@@ -121,7 +121,7 @@ Key<T> table_key(std::optional<Inner> T::*member, std::shared_ptr<const Table<In
 
 template <class T>
 TableReference reference_of(const Table<T>& table) {
-  TableReference reference{table.name, table.heading, table.meaning, true, {}};
+  TableReference reference{table.name, table.heading, table.meaning, {}};
   for (const Key<T>& key : table.keys) reference.keys.push_back(key.reference());
   return reference;
 }

@@ -12,10 +12,12 @@
 namespace sunder::verification {
 namespace {
 
-/// The natural number that a function of natural numbers was given.
+/// The natural number that a function of natural numbers was given; but for the round-off of a quotient.
 int natural(double x) {
-  if (!(x >= 0.0 && x <= 1e6) || x != std::floor(x)) throw std::invalid_argument("a natural number is needed");
-  return static_cast<int>(x);
+  constexpr double round_off = 1e-9;
+  if (!(x >= 0.0 && x <= 1e6) || std::abs(x - std::round(x)) > round_off * (1.0 + x))
+    throw std::invalid_argument("a natural number is needed");
+  return static_cast<int>(std::lround(x));
 }
 
 exact::MovingCrack moving_crack(std::span<const double> x) {
@@ -67,6 +69,16 @@ const std::vector<NumberFunction>& number_functions() {
        [](Numbers x) {
          return exact::roller_square_frequency(exact::plane_stress(x[0], x[1]), x[2], x[3], natural(x[4]));
        }},
+      // damping ratio [-], ω t; and ω [rad/s], Ω of the ground, time [s]
+      {"step_response", 2, [](Numbers x) { return exact::step_response(x[0], x[1]); }},
+      {"shaken_oscillator", 3, [](Numbers x) { return exact::shaken_oscillator(x[0], x[1], x[2]); }},
+      {"shaken_rod", 3, [](Numbers x) { return exact::shaken_rod(x[0], x[1], x[2]); }},
+      // (spectral radius,) ω Δt, damping ratio, steps: what the scheme itself makes of step_response
+      {"newmark_step_response", 3, [](Numbers x) { return exact::newmark_step_response(x[0], x[1], natural(x[2])); }},
+      {"hht_alpha_step_response", 4,
+       [](Numbers x) { return exact::hht_alpha_step_response(x[0], x[1], x[2], natural(x[3])); }},
+      {"generalised_alpha_step_response", 4,
+       [](Numbers x) { return exact::generalised_alpha_step_response(x[0], x[1], x[2], natural(x[3])); }},
       // water in a uniform crack: pressure [Pa], aperture [m], length [m] (or time [s]), viscosity [Pa s]
       {"resting_crack_flux", 4, [](Numbers x) { return exact::resting_crack_flux(x[0], x[1], x[2], x[3]); }},
       {"filling_front", 4, [](Numbers x) { return exact::filling_front(x[0], x[1], x[2], x[3]); }},

@@ -1,0 +1,190 @@
+/// What time integration costs: one linear step of a dam of 1600 nodes without a crack and its parts, and ten seconds
+/// of shaking with compressible water and with rock.
+///
+/// A step's answer is checked by what is out of balance after it and by the energy account, a run's by the account and
+/// by the crest displacement that modal superposition of other elements has. A step that allocates is an error.
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <string>
+
+#include "solver/numerics/tests/allocation_count.hpp"
+#include "solver/sbfem/assembly.hpp"
+#include "solver/scene/reader.hpp"
+#include "solver/simulation/dynamic_options.hpp"
+#include "solver/simulation/dynamic_step.hpp"
+#include "solver/simulation/run.hpp"
+
+namespace {
+
+using namespace sunder;
+using namespace sunder::simulation;
+using Eigen::VectorXd;
+
+scene::Scene koyna(const std::vector<std::pair<std::string, std::string>>& changes) {
+  std::vector<scene::Override> overrides{{"mesh.order", "1"}, {"mesh.size", "2.4"}, {"dynamics.time_step", "0.01"}};
+  for (const auto& [key, value] : changes) overrides.push_back({key, value});
+  return scene::read_scene(std::string(SUNDER_CASES) + "/dynamics/koyna-linear.scene.toml", overrides);
+}
+
+/// The empty dam between two steps, shaken by 1 m/s² to and fro.
+class ShakenDam {
+ public:
+  ShakenDam() : scene_(koyna({})) {
+    Ledger ledger;
+    Body meshed = build_body(scene_, ledger);
+    sbfem::Formation formation = sbfem::form(meshed.nodes, meshed.materials, {.with_mass = true, .pool = &pool_});
+    body_ = dynamic_body(scene_, std::move(meshed), std::move(formation), false, pool_);
+    step = std::make_unique<DynamicStep>(body_, std::span<AttachedMedium* const>(), std::span<const Mouth>(), waters_,
+                                         step_options(scene_, body_, pool_, ledger), faces::FaceStepOptions(),
+                                         FaceMemory(), state);
+    for (VectorXd* values : {&state.displacement, &state.velocity, &state.acceleration})
+      values->setZero(body_.body.dofs());
+    start.force = end.force = body_.dead_load * 0.0;
+    start.ground = {1.0, 0.5};
+    step->equations().begin(state, start.ground, {});
+    next = state;
+    energy.begin(step->equations(), state);
+  }
+
+  void move() {
+    end.ground = -start.ground;
+    (void)step->solve(state, start, end, next);
+    const FaceWork work = step->accept(next, end.ground);
+    energy.add(step->equations(), state, next, start, end, media_before_, work, none_);
+    std::swap(state, next);
+    std::swap(start, end);
+  }
+
+  bool is_right() const {
+    // of a sum of mass and stiffness forces each of whose numbers is round-off of 1e4 times the load
+    const double load = step->equations().ground_load(start.ground).norm();
+    return step->unbalanced(state, start).norm() < 1e-9 * load && energy.balance_error() < 1e-10 &&
+           state.displacement.norm() > 0.0;
+  }
+  double nodes() const { return body_.body.nodes.node_count(); }
+
+  std::unique_ptr<DynamicStep> step;
+  MotionState state, next;
+  StepLoad start, end;
+  EnergyAccount energy;
+
+ private:
+  scene::Scene scene_;
+  numerics::ThreadPool pool_{1};
+  DynamicBody body_;
+  CrackWaters waters_;
+  std::vector<VectorXd> media_before_;
+  VectorXd none_;
+};
+
+void linear_step(benchmark::State& state) {
+  ShakenDam dam;
+  for (int i = 0; i < 100; ++i) dam.move();
+  if (!dam.is_right()) return state.SkipWithError("the step is wrong");
+  const long before = numerics::allocations;
+  for (int i = 0; i < 100; ++i) dam.move();
+  if (numerics::allocations != before) return state.SkipWithError("a step allocated");
+  for (auto _ : state) dam.move();
+  if (!dam.is_right()) return state.SkipWithError("the step is wrong");
+  state.counters["nodes"] = dam.nodes();
+  state.counters["factor_entries"] = static_cast<double>(dam.step->equations().factor_entries());
+}
+
+/// The right-hand side and the back-substitution of a step.
+void trial_of_a_step(benchmark::State& state) {
+  ShakenDam dam;
+  for (int i = 0; i < 100; ++i) dam.move();
+  for (auto _ : state) benchmark::DoNotOptimize(dam.step->equations().trial(dam.state, dam.start, dam.end).data());
+}
+
+void back_substitution(benchmark::State& state, numerics::FactorLayout layout) {
+  ShakenDam dam;
+  dam.move();
+  const numerics::SymmetricFactor factor(dam.step->equations().stiffness() + 1e5 * dam.step->equations().mass(),
+                                         {.layout = layout, .block = 2});
+  VectorXd b = VectorXd::Ones(dam.state.displacement.size()), x = b;
+  for (auto _ : state) {
+    x = b;
+    factor.solve_in_place(x);
+    benchmark::DoNotOptimize(x.data());
+  }
+}
+
+/// K x and M z.
+void products(benchmark::State& state, bool in_one_pass) {
+  ShakenDam dam;
+  dam.move();
+  const StepEquations& equations = dam.step->equations();
+  VectorXd x = VectorXd::LinSpaced(dam.state.displacement.size(), -1.0, 1.0), z = x.cwiseAbs2(), Kx = x, Mz = z;
+  equations.multiply(x, z, Kx, Mz);
+  const VectorXd K_x = equations.stiffness().selfadjointView<Eigen::Lower>() * x;
+  const VectorXd M_z = equations.mass().selfadjointView<Eigen::Lower>() * z;
+  if (!((Kx - K_x).norm() < 1e-14 * K_x.norm() && (Mz - M_z).norm() < 1e-14 * M_z.norm()))
+    return state.SkipWithError("the products are wrong");
+  for (auto _ : state) {
+    if (in_one_pass) {
+      equations.multiply(x, z, Kx, Mz);
+    } else {
+      Kx.noalias() = equations.stiffness().selfadjointView<Eigen::Lower>() * x;
+      Mz.noalias() = equations.mass().selfadjointView<Eigen::Lower>() * z;
+    }
+    benchmark::DoNotOptimize(Kx.data());
+    benchmark::DoNotOptimize(Mz.data());
+  }
+}
+
+void energy_of_a_step(benchmark::State& state) {
+  ShakenDam dam;
+  for (int i = 0; i < 100; ++i) dam.move();
+  EnergyAccount energy = dam.energy;
+  for (auto _ : state)
+    energy.add(dam.step->equations(), dam.next, dam.state, dam.end, dam.start, {}, FaceWork(), VectorXd());
+  benchmark::DoNotOptimize(&energy);
+}
+
+double number(const results::RunSummary& summary, const char* path) {
+  const results::Quantity* quantity = summary.quantities.find(path);
+  return quantity != nullptr && quantity->number() != nullptr ? *quantity->number() : NAN;
+}
+
+/// Ten seconds; `peak` [m], its tolerance as of the case dynamics/koyna-linear with steps of 10 ms.
+void koyna_run(benchmark::State& state, const std::vector<std::pair<std::string, std::string>>& changes, double peak) {
+  std::vector<std::pair<std::string, std::string>> all{{"dynamics.duration", "10.0"}};
+  all.insert(all.end(), changes.begin(), changes.end());
+  const scene::Scene scene = koyna(all);
+  double steps_ms = INFINITY, set_up_ms = INFINITY;
+  for (auto _ : state) {
+    const results::RunSummary summary = run(scene);
+    if (!summary.completed() || !(number(summary, "energy_balance_error") < 1e-9) ||
+        !(std::abs(number(summary, "peak_crest_displacement") / peak - 1.0) < 0.14))
+      return state.SkipWithError("the run is wrong");
+    double others = 0.0;
+    for (const results::PartCost& part : summary.parts) {
+      if (part.part == "dynamics")
+        steps_ms = std::fmin(steps_ms, 1e3 * part.seconds);
+      else
+        others += 1e3 * part.seconds;
+    }
+    set_up_ms = std::fmin(set_up_ms, others);
+  }
+  state.counters["steps_ms"] = steps_ms;
+  state.counters["set_up_ms"] = set_up_ms;
+}
+
+BENCHMARK(linear_step)->Unit(benchmark::kMicrosecond);
+BENCHMARK(trial_of_a_step)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(back_substitution, supernodal, numerics::FactorLayout::supernodal)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(back_substitution, columns, numerics::FactorLayout::columns)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(products, in_one_pass, true)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(products, by_eigen, false)->Unit(benchmark::kMicrosecond);
+BENCHMARK(energy_of_a_step)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(koyna_run, empty, {}, 0.03539)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(koyna_run, incompressible, {{"reservoir.model", "\"incompressible\""}}, 0.04315)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+
+}  // namespace
+
+BENCHMARK_MAIN();
