@@ -6,15 +6,27 @@
 
 #include <benchmark/benchmark.h>
 
+#include <atomic>
 #include <cmath>
+#include <filesystem>
 #include <string>
 
-#include "solver/numerics/tests/allocation_count.hpp"
 #include "solver/sbfem/assembly.hpp"
 #include "solver/scene/reader.hpp"
 #include "solver/simulation/dynamic_options.hpp"
 #include "solver/simulation/dynamic_step.hpp"
 #include "solver/simulation/run.hpp"
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+// Eigen allocates past operator new, and operator new comes here too: with glibc every block does.
+extern "C" void* __libc_malloc(std::size_t size);
+extern "C" [[gnu::noinline]] void* malloc(std::size_t size) {
+  allocations.fetch_add(1, std::memory_order_relaxed);
+  return __libc_malloc(size);
+}
 
 namespace {
 
@@ -83,9 +95,9 @@ void linear_step(benchmark::State& state) {
   ShakenDam dam;
   for (int i = 0; i < 100; ++i) dam.move();
   if (!dam.is_right()) return state.SkipWithError("the step is wrong");
-  const long before = numerics::allocations;
+  const long before = allocations;
   for (int i = 0; i < 100; ++i) dam.move();
-  if (numerics::allocations != before) return state.SkipWithError("a step allocated");
+  if (allocations != before) return state.SkipWithError("a step allocated");
   for (auto _ : state) dam.move();
   if (!dam.is_right()) return state.SkipWithError("the step is wrong");
   state.counters["nodes"] = dam.nodes();
@@ -177,7 +189,9 @@ void koyna_run(benchmark::State& state, const scene::Scene& scene, double peak, 
 }
 
 scene::Scene ten_seconds(const std::string& water) {
-  return koyna({{"dynamics.duration", "10.0"}, {"reservoir.model", '"' + water + '"'}});
+  if (water.empty()) return koyna({});
+  return koyna(
+      {{"reservoir.boundary", "\"upstream\""}, {"reservoir.level", "91.75"}, {"reservoir.model", '"' + water + '"'}});
 }
 scene::Scene ten_seconds_on_rock() {
   scene::Scene scene = ten_seconds("compressible");
@@ -193,7 +207,7 @@ scene::Scene ten_seconds_on_rock() {
 
 // peaks and tolerances of the cases dynamics/koyna-linear…, with steps of 10 ms; on rock only the order is known
 void empty(benchmark::State& state) {
-  koyna_run(state, ten_seconds("hydrostatic"), 0.03539, 0.14);
+  koyna_run(state, ten_seconds(""), 0.03539, 0.14);
 }
 void incompressible_water(benchmark::State& state) {
   koyna_run(state, ten_seconds("incompressible"), 0.04315, 0.14);

@@ -20,6 +20,7 @@ struct Arguments {
   std::optional<std::filesystem::path>
       output;  ///< absent: `<scene's name without .toml>-results` in the current folder
   std::optional<std::filesystem::path> picture;  ///< check: where to draw the mesh (SVG)
+  std::optional<std::filesystem::path> cache;    ///< run: folder for responses of unbounded rock; absent: none kept
   int threads = 1;                               ///< >= 1; absent on the line: one a core
   bool quiet = false;
   bool resume = false;    ///< run: from the checkpoint in the output folder

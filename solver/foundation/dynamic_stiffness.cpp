@@ -199,23 +199,31 @@ StiffnessPath dynamic_stiffness(const UnboundedDomain& domain, std::span<const C
   Eigen::MatrixXcd S(n, n);
   Complex sigma = 0.0;     // where integrator.t stands; 0: has not begun
   double log_step = 1e-3;  // size of the last step in ln σ
+  const auto advance = [&](Complex& from, Complex to) {
+    const Complex length = std::log(to / from);
+    StiffnessStatus status = StiffnessStatus::converged;
+    if (std::abs(length) > 0.0) {
+      double step = log_step / std::abs(length);
+      status = integrator.go(from, length, step, path, options.max_steps);
+      log_step = step * std::abs(length);
+    }
+    from = to;
+    return status;
+  };
   for (std::size_t i = 0; i < s.size(); ++i) {
     const Complex to = s[i] * domain.time;
     if (std::abs(to) >= range.start) {
       evaluate_series(domain, range.terms, to, integrator.t);
     } else {
       if (sigma == 0.0) {
-        sigma = to / std::abs(to) * range.start;
+        // Far inwards on the real axis all errors die out; on the imaginary one those of high frequency only add up.
+        const bool by_real_axis = std::abs(to) < 0.25 * range.start;
+        sigma = by_real_axis ? Complex(range.start) : to / std::abs(to) * range.start;
         evaluate_series(domain, range.terms, sigma, integrator.t);
+        if (by_real_axis) path.status = advance(sigma, std::abs(to));
       }
-      const Complex length = std::log(to / sigma);
-      if (std::abs(length) > 0.0) {
-        double step = log_step / std::abs(length);
-        path.status = integrator.go(sigma, length, step, path, options.max_steps);
-        if (path.status != StiffnessStatus::converged) return path;
-        log_step = step * std::abs(length);
-      }
-      sigma = to;
+      if (path.status == StiffnessStatus::converged) path.status = advance(sigma, to);
+      if (path.status != StiffnessStatus::converged) return path;
     }
     re = domain.k + integrator.t.re;
     re.diagonal() += to.real() * domain.c;

@@ -56,13 +56,13 @@ UnboundedDomain unbounded_domain(const sbfem::Coefficients& coefficients) {
   domain.c = modes.eigenvalues().cwiseSqrt();
   domain.time = domain.c.maxCoeff();
   domain.c /= domain.time;
-  if (numerics::planted_fault("foundation/radiation-sign")) domain.c[0] = -domain.c[0];
   domain.e1.noalias() = V.transpose() * normal(coefficients.E1) * V;
   if (numerics::planted_fault("foundation/e1-transposed")) domain.e1.transposeInPlace();
   domain.e2.noalias() = V.transpose() * normal(coefficients.E2) * V;
   domain.e2 = (0.5 * (domain.e2 + domain.e2.transpose())).eval();
   const MatrixXd e1c = domain.e1 * domain.c.asDiagonal();
   domain.k = lyapunov(domain.c, MatrixXd(domain.c.asDiagonal()) - e1c - e1c.transpose());
+  if (numerics::planted_fault("foundation/asymptote-sign")) domain.k = -domain.k;
   domain.series = series_of(domain);
   return domain;
 }

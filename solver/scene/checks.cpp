@@ -270,6 +270,9 @@ void check_checkpoints(const Node& document, const Scene& scene, Findings& findi
   else if (!scene.cracks.empty())
     findings.add(origin, "output.checkpoint_every",
                  "a run with [[crack]] cannot be taken up again; accepted: 0, or a scene without cracks");
+  else if (scene.output->fields_every > 0)
+    findings.add(origin, "output.checkpoint_every",
+                 "fields cannot be taken up again; accepted: 0, or fields_every = 0");
 }
 
 /// What acts on crack faces needs a crack; resting water in it comes from a reservoir.

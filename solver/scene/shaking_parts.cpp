@@ -189,11 +189,15 @@ Table<Output> output_table() {
           "the history only",
           {key(&Output::fields_every,
                {.name = "fields_every", .range = at_least(0), .meaning = "steps between field snapshots; 0: none"}),
+           key(&Output::profile_times, {.name = "profile_times",
+                                        .unit = "s",
+                                        .meaning = "analysis = \"dynamic\": pressure and opening along the cracks at "
+                                                   "the steps nearest to these"}),
            key(&Output::checkpoint_every,
                {.name = "checkpoint_every",
                 .range = at_least(0),
-                .meaning = "analysis = \"dynamic\" without cracks: steps between checkpoints, from which `sunder run "
-                           "--resume` goes on to the same bits; 0: none"})}};
+                .meaning = "analysis = \"dynamic\" without cracks and fields: steps between checkpoints, from which "
+                           "`sunder run --resume` goes on to the same bits; 0: none"})}};
 }
 
 }  // namespace

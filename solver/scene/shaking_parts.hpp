@@ -70,8 +70,9 @@ struct Response {
 };
 
 struct Output {
-  int fields_every = 0;      ///< steps between field snapshots; 0: none
-  int checkpoint_every = 0;  ///< steps between checkpoints of a dynamic run; 0: none
+  int fields_every = 0;               ///< steps between field snapshots; 0: none
+  std::vector<double> profile_times;  ///< [s]: the water's pressure along the cracks at these, analysis = "dynamic"
+  int checkpoint_every = 0;           ///< steps between checkpoints of a dynamic run; 0: none
 };
 
 }  // namespace sunder::scene

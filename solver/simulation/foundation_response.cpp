@@ -54,7 +54,7 @@ StripBlock strip_block(const scene::Scene& scene, const material::Isotropic& roc
   StripBlock block;
   block.body.polygons = mesh::block_below_strip(
       b,
-      {.width = given.width.value_or(0.5 * b), .depth = given.depth.value_or(b), .size = given.size.value_or(2 * size)},
+      {.width = given.width.value_or(0.5 * b), .depth = given.depth.value_or(b), .size = given.size.value_or(5 * size)},
       size, size / 16);
   block.body.nodes = mesh::place_nodes(block.body.polygons, [&](int, int) { return scene.response->face_order; });
   block.body.materials = {rock};
@@ -118,7 +118,7 @@ Quantity impedance_quantity(const Impedance& impedance, double G, double b) {
   return Quantity::Table{{"H", complex_quantity(impedance(0, 0) / G)},
                          {"V", complex_quantity(impedance(1, 1) / G)},
                          {"R", complex_quantity(impedance(2, 2) / (G * b * b))},
-                         {"HR", complex_quantity(-impedance(2, 0) / (G * b))}};
+                         {"HR", complex_quantity(impedance(2, 0) / (G * b))}};
 }
 
 std::string words(foundation::StiffnessStatus status) {
@@ -174,11 +174,13 @@ void add_foundation_response(const scene::Scene& scene, numerics::ThreadPool& po
   for (const std::size_t i : order) s.emplace_back(0.0, frequencies[i]);
   std::vector<Quantity> impedance(frequencies.size());
   const foundation::StiffnessPath path =
-      foundation::dynamic_stiffness(domain, s, [&](std::size_t i, const MatrixXcd& S) {
-        const Impedance value =
-            disc ? Impedance(motions.transpose() * S * motions) : strip_impedance(block, frequencies[order[i]], S);
-        impedance[order[i]] = impedance_quantity(value, G, b);
-      });
+      foundation::dynamic_stiffness(domain, s,
+                                    [&](std::size_t i, const MatrixXcd& S) {
+                                      const Impedance value = disc ? Impedance(motions.transpose() * S * motions)
+                                                                   : strip_impedance(block, frequencies[order[i]], S);
+                                      impedance[order[i]] = impedance_quantity(value, G, b);
+                                    },
+                                    {.tolerance = 1e-8});
   ledger.count("stiffness_steps", path.steps + path.rejected);
   if (path.status != foundation::StiffnessStatus::converged) {
     summary.status = words(path.status);

@@ -3,10 +3,10 @@
 /// feels of the unbounded rock.
 ///
 /// `impedance`, one a frequency: forces per displacement over G, complex ([re, im], e^{iωt}): `H`, `V` for translations
-/// in x and y, `R` (over b²) for the rotation about the middle, `HR` (over b) the moment for a translation in x,
-/// positive where a push in +x turns the strip clockwise. `impulse`, one a time: the horizontal force on the line of
-/// the unbounded rock (disc: its edge; strip: sides and bottom of its near field) that moves as one, for a unit impulse
-/// of acceleration, over ρ c_s b.
+/// in x and y, `R` (over b²) for the rotation about the middle, `HR` (over b) the
+/// counter-clockwise moment that holds the strip upright when it moves in +x. `impulse`, one a time: the horizontal
+/// force on the line of the unbounded rock (disc: its edge; strip: sides and bottom of its near field) that moves as
+/// one, for a unit impulse of acceleration, over ρ c_s b.
 
 #include "solver/numerics/thread_pool.hpp"
 #include "solver/results/run_summary.hpp"

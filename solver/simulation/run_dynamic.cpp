@@ -110,7 +110,9 @@ CrackRecord DynamicRun::observe_crack(std::size_t crack, Index first_pair) const
 }
 
 StepRecord DynamicRun::observe() const {
-  StepRecord record{.time = state_.time, .crest = state_.displacement.segment<2>(2 * crest_)};
+  StepRecord record;
+  record.time = state_.time;
+  record.crest = state_.displacement.segment<2>(2 * crest_);
   for (std::size_t m = 0; m < around_->media().size(); ++m) {
     const AttachedMedium& medium = *around_->media()[m];
     if (medium.name == "reservoir") record.hydrodynamic_force = -step_->equations().medium_forces()[m].sum();
@@ -171,6 +173,8 @@ void DynamicRun::finish() {
     found["crack_path"] = paths.size() == 1 ? paths.front() : results::Quantity(paths);
     found["events"] = events_;
   }
+  if (!profiles_.empty()) found["profiles"] = profiles_;
+  if (fields_ != nullptr) fields_->commit();
   summary_.history = record_->take_history();
   summary_.mesh = {
       .polygons = body_.body.nodes.polygon_count(), .nodes = body_.body.nodes.node_count(), .dofs = body_.body.dofs()};
@@ -191,6 +195,7 @@ void DynamicRun::go() {
   } else {
     now_ = observe();
     record_->add(now_, energy_.energies());
+    write_fields();
   }
   {
     const Ledger::Visit visit(ledger_, "dynamics", "steps");
@@ -203,6 +208,8 @@ void DynamicRun::go() {
       if (!step(number)) break;
       now_ = observe();
       record_->add(now_, energy_.energies());
+      note_profiles();
+      write_fields();
       ledger_.count("steps");
       if (wants_checkpoint(number)) keep();
       if (scene_.propagation && number < steps && !grow_cracks()) break;

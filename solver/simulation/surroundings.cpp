@@ -28,20 +28,21 @@ Surroundings::Surroundings(const scene::Scene& scene, const Body& body, const st
 /// The rock outside the near field, and the wave that rises through it.
 void Surroundings::attach_rock(const Body& body, const std::filesystem::path& cache, numerics::ThreadPool& pool,
                                Ledger& ledger) {
+  // the wave starts no deeper than the body and its near field reach
+  const auto heights = body.nodes.coordinates().row(1);
+  const double speed = material::shear_wave_speed(body.materials[static_cast<std::size_t>(body.rock)]);
+  const auto most_delay =
+      static_cast<long long>(std::ceil((heights.maxCoeff() - heights.minCoeff()) / (speed * time_step_))) + 2;
+  // rock at depth knows the record ahead of the surface, also at the end of the run
   const auto sampled = [&](int component, bool there) {
     std::vector<double> samples;
-    for (long long n = 0; there && n <= steps_; ++n)
+    for (long long n = 0; there && n <= steps_ + most_delay; ++n)
       samples.push_back(shaking_.at(time_step_ * static_cast<double>(n))[component]);
     return samples;
   };
   const SurfaceMotion motion{.horizontal = sampled(0, shaking_.horizontal.has_value()),
                              .vertical = sampled(1, shaking_.vertical.has_value()),
                              .step = time_step_};
-  // the wave starts no deeper than the body and its near field reach
-  const auto heights = body.nodes.coordinates().row(1);
-  const double speed = material::shear_wave_speed(body.materials[static_cast<std::size_t>(body.rock)]);
-  const auto most_delay =
-      static_cast<long long>(std::ceil((heights.maxCoeff() - heights.minCoeff()) / (speed * time_step_))) + 2;
   AttachedFoundation attached =
       attach_foundation(body, motion, {.time_step = time_step_, .steps = steps_ + most_delay}, cache, pool, ledger);
   failure_ = attached.failure;

@@ -1,5 +1,5 @@
 #pragma once
-/// Natural frequencies and motions with a closed form.
+/// Natural frequencies with a closed form.
 
 #include "verification/exact/plane_elasticity.hpp"
 
@@ -18,23 +18,5 @@ double roller_square_frequency(const PlaneBody& body, double density, double sid
 /// h, unit thickness, `effective` modulus E' [Pa]; n from 1 on. Not a bar for stout beams: shear and rotary inertia are
 /// left out.
 double slender_cantilever_frequency(double effective, double density, double length, double height, int n);
-
-/// Oscillator at rest that a constant force meets at once: displacement as a fraction of the static one, ζ = `ratio` in
-/// 0 … 1 (1 excluded), ω t = `phase`.
-double step_response(double ratio, double phase);
-
-/// Oscillator at rest in ground whose acceleration is sin(Ω t) [m/s²] from t = 0: -u [m] per unit of participation,
-/// undamped, Ω != ω.
-double shaken_oscillator(double omega, double ground_omega, double time);
-
-/// Rod on such ground, free at its other end, which waves reach after `transit` [s]: displacement of the free end
-/// relative to the ground [m], 2 Σ (-1)^k u_g(t - (2k + 1) transit) - u_g(t) by d'Alembert.
-double shaken_rod(double transit, double ground_omega, double time);
-
-/// What a one-step scheme of the generalised-α family makes of `step_response` after `steps` steps of ω Δt = `phase`:
-/// [Chung & Hulbert 1993, Eqs. (2)-(5)] for one unknown, solved for the acceleration. `radius` as there.
-double newmark_step_response(double phase, double ratio, int steps);
-double hht_alpha_step_response(double radius, double phase, double ratio, int steps);
-double generalised_alpha_step_response(double radius, double phase, double ratio, int steps);
 
 }  // namespace sunder::exact

@@ -7,6 +7,9 @@
 #include "verification/exact/bodies.hpp"
 #include "verification/exact/crack_water.hpp"
 #include "verification/exact/cracks.hpp"
+#include "verification/exact/foundation.hpp"
+#include "verification/exact/oscillator.hpp"
+#include "verification/exact/reservoir.hpp"
 #include "verification/exact/vibration.hpp"
 
 namespace sunder::verification {
@@ -59,6 +62,10 @@ const std::vector<NumberFunction>& number_functions() {
       {"arc_crack_biaxial_K_II", 3, [](Numbers x) { return exact::arc_crack_biaxial(x[0], x[1], x[2]).K_II; }},
       {"arc_crack_uniaxial_K_I", 3, [](Numbers x) { return exact::arc_crack_uniaxial(x[0], x[1], x[2]).K_I; }},
       {"arc_crack_uniaxial_K_II", 3, [](Numbers x) { return exact::arc_crack_uniaxial(x[0], x[1], x[2]).K_II; }},
+      // reservoir with a rigid bottom: kappa; mass over that of still water, dry frequency; T
+      {"reservoir_force", 1, [](Numbers x) { return exact::reservoir_force(x[0]); }},
+      {"coupled_frequency", 2, [](Numbers x) { return exact::coupled_frequency(x[0], x[1]); }},
+      {"reservoir_impulse_before_echo", 1, [](Numbers x) { return exact::reservoir_impulse_before_echo(x[0]); }},
       {"kink_angle", 2, [](Numbers x) { return exact::kink_angle(x[0], x[1]); }},
       // E [Pa], nu, rho [kg/m³], side [m], index from 0 [rad/s]
       {"roller_square_plane_strain", 5,
@@ -69,16 +76,42 @@ const std::vector<NumberFunction>& number_functions() {
        [](Numbers x) {
          return exact::roller_square_frequency(exact::plane_stress(x[0], x[1]), x[2], x[3], natural(x[4]));
        }},
-      // damping ratio [-], ω t; and ω [rad/s], Ω of the ground, time [s]
-      {"step_response", 2, [](Numbers x) { return exact::step_response(x[0], x[1]); }},
-      {"shaken_oscillator", 3, [](Numbers x) { return exact::shaken_oscillator(x[0], x[1], x[2]); }},
-      {"shaken_rod", 3, [](Numbers x) { return exact::shaken_rod(x[0], x[1], x[2]); }},
-      // (spectral radius,) ω Δt, damping ratio, steps: what the scheme itself makes of step_response
-      {"newmark_step_response", 3, [](Numbers x) { return exact::newmark_step_response(x[0], x[1], natural(x[2])); }},
+      // omega [1/s], damping ratio, time [s], of an oscillator let go at 1
+      {"free_oscillator", 3,
+       [](Numbers x) {
+         return exact::free_oscillator(x[0], x[1], {1.0, 0.0}, x[2]).displacement;
+       }},
+      // … time step [s], number of steps
+      {"trapezoidal_oscillator", 4,
+       [](Numbers x) {
+         return exact::trapezoidal_oscillator(x[0], x[1], {1.0, 0.0}, x[2], x[3]).displacement;
+       }},
+      {"trapezoidal_oscillator_velocity", 4,
+       [](Numbers x) {
+         return exact::trapezoidal_oscillator(x[0], x[1], {1.0, 0.0}, x[2], x[3]).velocity;
+       }},
+      // omega, damping ratio, p [m/s²], forcing [1/s], time
+      {"forced_oscillator", 5,
+       [](Numbers x) { return exact::forced_oscillator(x[0], x[1], x[2], x[3], x[4]).displacement; }},
+      {"forced_oscillator_velocity", 5,
+       [](Numbers x) { return exact::forced_oscillator(x[0], x[1], x[2], x[3], x[4]).velocity; }},
+      // omega, damping ratio, p [m/s²], its slope [m/s³], time
+      {"ramped_oscillator", 5,
+       [](Numbers x) { return exact::ramped_oscillator(x[0], x[1], x[2], x[3], x[4]).displacement; }},
+      // amplitude [m] and duration [s] of the base's pulse, length [m], wave speed [m/s], time [s]
+      {"rod_free_end", 5, [](Numbers x) { return exact::rod_free_end(x[0], x[1], x[2], x[3], x[4]); }},
+      // transit [s], forcing [1/s], time [s]
+      {"shaken_rod_free_end", 3, [](Numbers x) { return exact::shaken_rod_free_end(x[0], x[1], x[2]); }},
+      // spectral radius, omega dt, damping ratio, steps
       {"hht_alpha_step_response", 4,
        [](Numbers x) { return exact::hht_alpha_step_response(x[0], x[1], x[2], natural(x[3])); }},
       {"generalised_alpha_step_response", 4,
        [](Numbers x) { return exact::generalised_alpha_step_response(x[0], x[1], x[2], natural(x[3])); }},
+      // rigid disc in the plane: Poisson's ratio, omega r / c_s
+      {"rigid_disc_translation_re", 2, [](Numbers x) { return exact::rigid_disc_translation(x[0], x[1]).real(); }},
+      {"rigid_disc_translation_im", 2, [](Numbers x) { return exact::rigid_disc_translation(x[0], x[1]).imag(); }},
+      {"rigid_disc_rotation_re", 1, [](Numbers x) { return exact::rigid_disc_rotation(x[0]).real(); }},
+      {"rigid_disc_rotation_im", 1, [](Numbers x) { return exact::rigid_disc_rotation(x[0]).imag(); }},
       // water in a uniform crack: pressure [Pa], aperture [m], length [m] (or time [s]), viscosity [Pa s]
       {"resting_crack_flux", 4, [](Numbers x) { return exact::resting_crack_flux(x[0], x[1], x[2], x[3]); }},
       {"filling_front", 4, [](Numbers x) { return exact::filling_front(x[0], x[1], x[2], x[3]); }},

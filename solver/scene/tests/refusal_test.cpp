@@ -266,7 +266,7 @@ const Spoilt later[] = {
     {"reservoir without level", dynamic_scene, "level = 96.5\n", "",
      "dam.toml:24:1: reservoir: accepted: `boundary` and `level`, or, with analysis = \"response\", `depth` alone"},
     {"reflection", dynamic_scene, "level = 96.5", "level = 96.5\nreflection_coefficient = 1.5",
-     "dam.toml:27:26: reservoir.reflection_coefficient: 1.5 is not accepted; accepted: a number > -1, <= 1 (of the "
+     "dam.toml:27:26: reservoir.reflection_coefficient: 1.5 is not accepted; accepted: a number 0 … 1 (of the "
      "bottom; 1: rigid)"},
     {"sound speed", dynamic_scene, "level = 96.5", "level = 96.5\nsound_speed = 0",
      "dam.toml:27:15: reservoir.sound_speed: 0 is not accepted; accepted: a number > 0 [m/s] (in water)"},

@@ -27,49 +27,5 @@ TEST(SlenderCantilever, HasTheTabulatedRoots) {
     EXPECT_NEAR(std::sqrt(slender_cantilever_frequency(12.0, 1.0, 1.0, 1.0, n)), roots[n - 1], 5e-9) << n;
 }
 
-TEST(StepResponse, SolvesItsEquation) {
-  // u'' + 2 ζ u' + u = 1 by central differences; their error is h² / 12 times a derivative of size 1
-  const double h = 1e-3;
-  for (const double ratio : {0.0, 0.05, 0.9}) {
-    for (const double t : {0.5, 3.0, 20.0}) {
-      const double before = step_response(ratio, t - h), now = step_response(ratio, t),
-                   after = step_response(ratio, t + h);
-      const double acceleration = (after - 2.0 * now + before) / (h * h), velocity = (after - before) / (2.0 * h);
-      EXPECT_NEAR(acceleration + 2.0 * ratio * velocity + now, 1.0, 1e-6) << ratio << ' ' << t;
-    }
-    EXPECT_EQ(step_response(ratio, 0.0), 0.0);
-  }
-  EXPECT_THROW((void)step_response(1.0, 1.0), std::invalid_argument);
-}
-
-TEST(ShakenRod, MovesWithTheInverseGroundUntilTheFirstWaveAndIsItsModesAfterwards) {
-  const double omega = 3.0;
-  EXPECT_EQ(shaken_rod(1.0, omega, 0.9), -(0.9 / omega - std::sin(omega * 0.9) / (omega * omega)));
-  // Σ of fixed-free modes: participation 2 / κ, at the free end (-1)^n, κ = (n + ½) π; terms fall like n^-4
-  for (const double t : {0.4, 1.7, 3.9}) {
-    double sum = 0.0;
-    for (int n = 0; n < 2000; ++n) {
-      const double k = (n + 0.5) * pi;
-      sum -= 2.0 / k * (n % 2 == 0 ? 1.0 : -1.0) * shaken_oscillator(k, omega, t);
-    }
-    EXPECT_NEAR(shaken_rod(1.0, omega, t), sum, 1e-9) << t;
-  }
-}
-
-TEST(StepSchemes, NearTheStepResponseWithOrderTwo) {
-  const auto error = [](int steps, auto scheme) {
-    const double phase = 6.0 / steps;
-    return std::abs(scheme(phase, steps) - step_response(0.1, 6.0));
-  };
-  const auto newmark = [](double phase, int n) { return newmark_step_response(phase, 0.1, n); };
-  const auto hht = [](double phase, int n) { return hht_alpha_step_response(0.7, phase, 0.1, n); };
-  const auto alpha = [](double phase, int n) { return generalised_alpha_step_response(0.3, phase, 0.1, n); };
-  EXPECT_NEAR(error(400, newmark) / error(800, newmark), 4.0, 0.1);  // the next term is 1 % at phase 0.015
-  EXPECT_NEAR(error(400, hht) / error(800, hht), 4.0, 0.2);
-  EXPECT_NEAR(error(400, alpha) / error(800, alpha), 4.0, 0.2);
-  // average acceleration turns by 2 atan(φ / 2)
-  EXPECT_NEAR(newmark_step_response(0.4, 0.0, 50), 1.0 - std::cos(100.0 * std::atan(0.2)), 1e-12);
-}
-
 }  // namespace
 }  // namespace sunder::exact
