@@ -105,6 +105,41 @@ void tangent(benchmark::State& state) {
   }
 }
 
+/// What one iteration of a step coupled with the structure asks for: pressures and their derivatives.
+void solve_and_tangent(benchmark::State& state) {
+  const int segments = static_cast<int>(state.range(0)) - 1;
+  PressureSolver solver(straight_crack(45.0, segments), {});
+  PressureTangent derivatives(segments);
+  const Motion motion = reference_motion(segments, -0.10);
+  if (!right(state, solver.solve(motion.apertures, motion.rates, {head, 0.0}).uplift_force, cases[2].uplift)) return;
+  const long before = allocations;
+  for (auto _ : state) {
+    (void)solver.solve(motion.apertures, motion.rates, {head, 0.0});
+    differentiate(solver, derivatives);
+    benchmark::DoNotOptimize(derivatives.nodal_force.data());
+  }
+  if (allocations - before > 4) state.SkipWithError("a solve or its tangent allocated");
+}
+
+/// The same of a march: a trial step and its derivatives, half of the crack full.
+void trial_and_tangent(benchmark::State& state) {
+  const int segments = static_cast<int>(state.range(0)) - 1;
+  const std::vector<double> apertures(static_cast<std::size_t>(segments) + 1, 0.001);
+  FillingMarch march(straight_crack(20.0, segments), {}, apertures, {.initially_full = false});
+  PressureTangent derivatives(segments);
+  for (int k = 0; k < 400; ++k) (void)march.step(apertures, {head, {}}, 0.02);
+  const double exact = 9.789253354002815;  // m after 8 s, closed form; the march is of first order in the segments
+  if (!(std::abs(march.state().front_position - exact) <= 20.0 / segments))
+    return state.SkipWithError("the front is wrong");
+  const long before = allocations;
+  for (auto _ : state) {
+    (void)march.trial(apertures, {head, {}}, 0.02);
+    differentiate(march, derivatives);
+    benchmark::DoNotOptimize(derivatives.nodal_force.data());
+  }
+  if (allocations - before > 4) state.SkipWithError("a trial or its tangent allocated");
+}
+
 /// A dry crack filling: steps over the time in which the front runs through it.
 void marched_step(benchmark::State& state) {
   const std::vector<double> apertures(reference_segments + 1, 0.001);
@@ -161,6 +196,8 @@ BENCHMARK_CAPTURE(sweep, one_way, 3.0);
 BENCHMARK_CAPTURE(sweep, turning, -1.65874217599189056);
 BENCHMARK(length)->RangeMultiplier(10)->Range(100, 1'000'000)->Complexity();
 BENCHMARK(tangent)->Arg(20)->Arg(100)->Arg(450);
+BENCHMARK(solve_and_tangent)->Arg(20)->Arg(50)->Arg(100);
+BENCHMARK(trial_and_tangent)->Arg(20)->Arg(50)->Arg(100);
 BENCHMARK(marched_step);
 BENCHMARK(many_cracks)->ThreadRange(1, 2)->UseRealTime();
 

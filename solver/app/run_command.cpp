@@ -7,8 +7,10 @@
 #include "solver/app/progress.hpp"
 #include "solver/app/quantity_table.hpp"
 #include "solver/app/scene_place.hpp"
+#include "solver/mesh/picture.hpp"
 #include "solver/results/atomic_file.hpp"
 #include "solver/results/summary_json.hpp"
+#include "solver/simulation/body.hpp"
 
 namespace sunder::app {
 namespace {
@@ -53,6 +55,7 @@ int run_command(const Arguments& arguments, const Console& console, const Solver
 
   const InterruptWatch watch;
   results::RunSummary summary;
+  std::string picture;
   {
     using Style = Progress::Style;
     const Style spoken = console.err_is_terminal ? Style::bar : Style::lines;
@@ -60,14 +63,23 @@ int run_command(const Arguments& arguments, const Console& console, const Solver
     const simulation::RunOptions options{
         .threads = arguments.threads,
         .progress = [&progress](std::string_view phase, double fraction) { progress.show(phase, fraction); },
+        .final_body =
+            [&](const simulation::Body& body) {
+              if (arguments.picture) {
+                picture = mesh::picture(body.polygons, {.title = scene.name, .nodes = &body.nodes});
+              }
+            },
         .stop = &watch.stop(),
         .cache = arguments.cache.value_or(fs::path()),
-        .output = folder};
+        .output = folder,
+        .resume = arguments.resume};
     at_its_place(scene, [&] { summary = solver.run(scene, options); });
   }
   results::stop_if_not_finite(summary);
   const fs::path file = folder / "summary.json";
   write_results(summary, folder, file);
+
+  if (!picture.empty()) results::write_atomically(*arguments.picture, picture);
 
   if (!arguments.quiet) report(summary, file, console);
   for (const std::string& warning : summary.warnings) console.err << "warning: " << warning << '\n';

@@ -94,7 +94,7 @@ void ContactSolver::set_stiffness(double k) {
   if (options_.model == ContactModel::exact) return;
   for (int i = 0; i < n_; ++i) {
     const double length = planted_fault("contact/whole-length-at-the-mouth") && i == 0 ? 2.0 * length_[i] : length_[i];
-    const bool spring = length > 0.0;
+    const bool spring = std::isfinite(1.0 / (k * length));
     softness_[i] = spring ? 1.0 / (k * length) : 0.0;
     upper_[i] = spring ? std::numeric_limits<double>::infinity() : 0.0;
     if (planted_fault("contact/spring-sign")) softness_[i] = -std::min(softness_[i], 0.5 * F_(i, i));
@@ -142,10 +142,11 @@ const ContactResult& ContactSolver::solve_prepared() noexcept {
     read_answer();
     const double tolerance = options_.penetration_tolerance * (planted_fault("contact/gate-not-enforced") ? 1e6 : 1.0);
     const bool within = result_.largest_penetration <= tolerance;
-    if (status == MinimumStatus::not_found) {
-      result_.status = ContactStatus::not_converged;
-    } else if (status == MinimumStatus::none || (!within && options_.model == ContactModel::exact)) {
+    const bool exact = options_.model == ContactModel::exact;
+    if (status == MinimumStatus::none) {
       result_.status = ContactStatus::no_solution;
+    } else if (status == MinimumStatus::not_found || (exact && !within)) {
+      result_.status = ContactStatus::not_converged;
     } else if (!friction_settled_) {
       result_.status = ContactStatus::friction_not_converged;
     } else if (within) {

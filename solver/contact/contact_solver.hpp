@@ -20,8 +20,8 @@
 /// point p stays zero (penalty: -τ/(k L)). F is then (2n, 2n), normal pairs first, and s = s⁰ + F_s (λ, τ). The stick
 /// points move only in `accept`, so that a time step may be solved again and again before it is accepted. Each solve is
 /// a sequence of problems with given bounds μ λ [Panagiotopoulos 1975]: every one has a solution and ends; the sequence
-/// converges where the coupling of λ and τ times μ is a contraction, as between like faces it is; steps are halved when
-/// they grow; and where it does not converge the status says so.
+/// converges where the coupling of λ and τ times μ is a contraction (a straight crack between like materials has next
+/// to no coupling); steps are halved when they grow; and where it does not converge the status says so.
 
 #include <Eigen/Core>
 
@@ -47,7 +47,7 @@ enum class ContactStatus {
   penetration_too_large,  ///< k would exceed `maximum_stiffness`
   no_solution,            ///< the faces cannot part: forces grow without end (prescribed motions press them together)
   friction_not_converged,
-  not_converged,   ///< round-off used up the pivots
+  not_converged,   ///< round-off used up the pivots or, in the exact model, exceeds the tolerance
   unusable_input,  ///< g⁰ or s⁰ has a wrong length or is not finite: nothing is changed
 };
 
@@ -69,7 +69,8 @@ struct ContactResult {
 /// Throws std::invalid_argument naming the value and its bound.
 void check(const ContactOptions& options);
 
-/// Solves the contact of the same faces again and again, each time from the answer before.
+/// Solves the contact of the same faces again and again, each time from the answer before: its pairs, and its k, which
+/// never shrinks.
 class ContactSolver {
  public:
   explicit ContactSolver(const ContactOptions& options = {});  ///< throws as `check`

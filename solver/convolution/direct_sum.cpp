@@ -27,6 +27,7 @@ DirectSum::DirectSum(WeightSequence weights, long long steps, const DirectOption
     throw std::invalid_argument("DirectSum: block = " + std::to_string(block_) + " must be 1 … 1024");
   if (weights_.diagonal) block_ = 1;  // n products a lag: nothing to reuse
   mass_ = weights_.weight(0);
+  if (numerics::planted_fault("convolution/no-instantaneous-mass")) mass_.setZero();
   history_.setZero((steps_ + 1 + block_) * size());
   if (block_ > 1) {
     ahead_.setZero(size(), block_);

@@ -168,7 +168,10 @@ KernelError certify(const StateSpaceModel& model, const WeightSequence& weights,
   const int n = model.size(), r = static_cast<int>(model.decay.size()), direct = model.direct_lags();
   constexpr int parts = 8;
   std::vector<double> error(parts, 0.0), total(parts, 0.0);
-  const long long lags = weights.last() - direct;  // j = direct + 1 + m, m = 0 … lags - 1
+  // j = direct + 1 + m, m = 0 … lags - 1; after the last weight that is not zero the geometric sum takes over
+  long long last = weights.last();
+  while (last > direct && weights.values.col(last).isZero(0.0)) --last;
+  const long long lags = last - direct;
   const auto share = [&](int part) {
     const auto p = static_cast<std::size_t>(part);
     const long long begin = lags * part / parts, end = lags * (part + 1) / parts;

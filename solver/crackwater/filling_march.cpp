@@ -7,8 +7,11 @@
 
 #include "solver/crackwater/check.hpp"
 #include "solver/crackwater/lanes.hpp"
+#include "solver/numerics/planted_fault.hpp"
 
 namespace sunder::crackwater {
+
+using numerics::planted_fault;
 
 FillingMarch::FillingMarch(const CrackLine& line, const Water& water, std::span<const double> apertures,
                            const MarchOptions& options)
@@ -94,7 +97,8 @@ const PressureProfile& FillingMarch::trial(std::span<const double> apertures, co
   capacities(apertures, next_capacities_);
   CompensatedSum change;
   for (std::size_t node = 0; node < nodes; ++node) {
-    rates_[node] = (state_.voids[node] + (next_capacities_[node] - state_.capacities[node])) / time_step;
+    const double space = planted_fault("crackwater/void-forgotten") ? 0.0 : state_.voids[node];
+    rates_[node] = (space + (next_capacities_[node] - state_.capacities[node])) / time_step;
     change.add(rates_[node]);
     changes_[node] = change.value();
   }
@@ -184,6 +188,7 @@ void FillingMarch::grow(const CrackLine& line, std::span<const double> apertures
   allocate(nodes);
   capacities(apertures, state_.capacities);
   for (std::size_t node = 0; node < nodes; ++node) state_.voids[node] = state_.capacities[node] - water[node];
+  if (planted_fault("crackwater/new-part-wet")) std::fill(state_.voids.begin(), state_.voids.end(), 0.0);
   carry_excess();
   state_.content = total_content();
   state_.front_position = front_position();

@@ -16,9 +16,24 @@ namespace sunder::crackwater {
 
 inline constexpr int moment_count = 7;
 
-// Terms that leave less than 1e-17 of the series: little_taper^(2 · 3) and some_taper^(2 · 7), times at most 120.
-inline constexpr double little_taper = 1e-3, some_taper = 0.05;
-inline constexpr int terms_for_little_taper = 3, terms_for_some_taper = 7;
+// Terms that leave less than 1e-16 of the series: little_taper^(2 · 4) and some_taper^(2 · 7), times at most 120.
+inline constexpr double little_taper = 4e-3, some_taper = 0.05;
+inline constexpr int terms_for_little_taper = 4, terms_for_some_taper = 7;
+
+/// What the formulas ask of two apertures, for one division.
+template <class Real>
+struct Taper {
+  Real inverse_sum;        ///< 1/(w0 + w1)
+  Real taper;              ///< τ
+  Real inverse_closeness;  ///< 1/(1 - τ²) = (w0 + w1)²/(4 w0 w1)
+};
+
+template <class Real>
+inline Taper<Real> taper_of(Real first, Real last) {
+  const Real total = first + last, product = first * last, inverse = 1.0 / (total * product);
+  const Real inverse_sum = product * inverse;
+  return {inverse_sum, (last - first) * inverse_sum, 0.25 * total * total * (total * inverse)};
+}
 
 /// Σ_n c_n x^n of the even or odd j's: j = 2n for even k, 2n + 1 for odd k.
 template <int k, int n, int terms, class Real>
@@ -32,10 +47,11 @@ inline Real moment_series(Real square) {
   }
 }
 
-/// For a number or a vector of numbers; `closeness` is 1 - τ².
+/// For a number or a vector of numbers.
 template <int terms, class Real>
-inline void moments_of_little_taper(Real taper, Real closeness, Real* m) {
-  const Real scale = 2.0 / (closeness * closeness), square = taper * taper;
+inline void moments_of_little_taper(const Taper<Real>& of, Real* m) {
+  const Real taper = of.taper, square = taper * taper;
+  const Real scale = 2.0 * (of.inverse_closeness * of.inverse_closeness);
   m[0] = scale;
   m[1] = -taper * scale;
   m[2] = moment_series<2, 0, terms>(square);
@@ -45,39 +61,21 @@ inline void moments_of_little_taper(Real taper, Real closeness, Real* m) {
   m[6] = moment_series<6, 0, terms>(square);
 }
 
-/// For any taper |τ| < 1, given by the two apertures themselves so that nothing is lost where one is far the smaller.
-inline std::array<double, moment_count> inverse_cube_moments(double first, double last) {
-  std::array<double, moment_count> m{};
-  const double inverse = 1.0 / (first + last);
-  const double taper = (last - first) * inverse, size = std::abs(taper);
-  const double closeness = 4.0 * (first * inverse) * (last * inverse);
+/// For more than some taper, given by the two apertures themselves so that nothing is lost where one is far the
+/// smaller.
+std::array<double, moment_count> moments_of_much_taper(double first, double last);
+
+/// For any taper |τ| < 1.
+inline std::array<double, moment_count> inverse_cube_moments(double first, double last, const Taper<double>& of) {
+  const double size = std::abs(of.taper);
+  std::array<double, moment_count> m;
   if (size <= little_taper) {
-    moments_of_little_taper<terms_for_little_taper>(taper, closeness, m.data());
-    return m;
+    moments_of_little_taper<terms_for_little_taper>(of, m.data());
+  } else if (size <= some_taper) {
+    moments_of_little_taper<terms_for_some_taper>(of, m.data());
+  } else {
+    m = moments_of_much_taper(first, last);
   }
-  if (size <= some_taper) {
-    moments_of_little_taper<terms_for_some_taper>(taper, closeness, m.data());
-    return m;
-  }
-  const double scale = 1.0 / (closeness * closeness);
-  const double odd = 2.0 * (2.0 - closeness) * scale;  // B_k, k odd; 1 + τ² = 2 - (1 - τ²)
-  const double even = -4.0 * taper * scale;            // B_k, k even, without the cancellation of its two terms
-  m[0] = 2.0 * scale;
-  m[1] = even / 2.0;
-  if (size > 0.8) {
-    m[2] = (std::log(last / first) / taper - 4.0 / closeness + 2.0 * scale) / (taper * taper);
-    for (int k = 3; k < moment_count; ++k) {
-      const std::size_t at = static_cast<std::size_t>(k);
-      m[at] = ((k % 2 == 1 ? odd : even) - k * m[at - 1]) / ((k - 2.0) * taper);
-    }
-    return m;
-  }
-  double moment = 0.0;
-  for (int k = size <= 0.4 ? 46 : 166; k > 2; --k) {  // 0.4^40 and 0.8^160 are below 1e-15 · (k/166)²
-    if (k < moment_count) m[static_cast<std::size_t>(k)] = moment;
-    moment = ((k % 2 == 1 ? odd : even) - (k - 2.0) * taper * moment) / k;
-  }
-  m[2] = moment;
   return m;
 }
 

@@ -19,21 +19,6 @@ namespace {
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-numerics::RootMethod method_of(Search search) {
-  switch (search) {
-    case Search::bisection:
-      return numerics::RootMethod::bisection;
-    case Search::itp:
-      return numerics::RootMethod::itp;
-    case Search::toms748:
-      return numerics::RootMethod::toms748;
-    case Search::newton:
-    case Search::prefix_moments:
-      return numerics::RootMethod::newton;
-  }
-  return numerics::RootMethod::bisection;
-}
-
 }  // namespace
 
 void check(const CrackLine& line, std::span<const double> apertures, std::span<const double> rates) {
@@ -156,91 +141,10 @@ std::pair<double, double> PressureSolver::flux_bracket() const {
       run_back = std::max(run_back, flux_of_resistance(table_.law(), rise / table_.length(i) * w * w * w));
     }
   }
-  const double widening =
-      1.0 + 1e-12;  // more than the round-off of the sums: the flux may be just that of a resting crack
+  // more than the round-off of the sums: the flux may be just that of a resting crack
+  const double widening = 1.0 + 1e-12;
   return {table_.least_change() - widening * (flux_of_resistance(table_.law(), head_back / cubes) + run_back),
           table_.greatest_change() + widening * flux_of_resistance(table_.law(), head_in / cubes)};
-}
-
-/// The root of a residual that falls with c, as a region whose ends the caller fills in.
-PressureSolver::Region PressureSolver::find(numerics::RootFunction residual, double lower, double upper) {
-  numerics::RootOptions options;
-  options.method = method_of(options_.search);
-  options.max_evaluations = options_.max_evaluations;
-  options.guess = guess_;
-  bool to_round_off = options_.relative_tolerance == 0.0;
-  if (!to_round_off) options.relative_tolerance = options_.relative_tolerance;
-  Region region;
-  const bool prefix = use_prefix_;
-  numerics::BracketedRoot root = bracketed_root(residual, lower, upper, options);
-  if (!to_round_off && root.status == numerics::RootStatus::bracket_within_tolerance) {
-    // Of the two ends the one with p ≥ 0 everywhere: the other would cavitate where the sought profile does not.
-    use_prefix_ = false;
-    const Residual low = residual(root.lower, false);
-    use_prefix_ = prefix;
-    // A loss grows no faster than the square of the flux: a smooth residual is smaller than this.
-    const double smooth = options_.relative_tolerance * low.floor / epsilon;
-    if (low.value >= -low.floor && low.value <= smooth) {
-      region.constant = region.constant_beyond = root.lower;
-      profile_.residual = std::max(profile_.residual, std::abs(low.value));
-      return region;
-    }
-    // It jumps inside the bracket, and only round-off tells where.
-    options.relative_tolerance = numerics::RootOptions{}.relative_tolerance;
-    root = bracketed_root(residual, lower, upper, options);
-    to_round_off = true;
-  }
-  if (prefix) {  // confirm by sweeps what the prefix sums found
-    use_prefix_ = false;
-    const double found = root.root;
-    double c = found;
-    bool confirmed = false;
-    for (int attempt = 0; attempt < 4 && !confirmed; ++attempt) {
-      const Residual r = residual(c, true);
-      confirmed = std::abs(r.value) <= r.floor;
-      root.root = c;
-      root.residual = r.value;
-      const double next = c - r.value / r.slope;
-      if (!confirmed && !(next >= lower && next <= upper)) break;
-      if (!confirmed) c = next;
-    }
-    root.status = numerics::RootStatus::residual_within_tolerance;
-    if (!confirmed) {  // a jump: prefix sums know where to 1e-12 of the bracket, sweeps find which number
-      const double reach = 1e-12 * (upper - lower);
-      root = bracketed_root(residual, std::max(lower, found - reach), std::min(upper, found + reach), options);
-      if (root.status == numerics::RootStatus::no_sign_change) root = bracketed_root(residual, lower, upper, options);
-    }
-    use_prefix_ = true;
-  }
-  region.constant = region.constant_beyond = root.root;
-  switch (root.status) {
-    case numerics::RootStatus::residual_within_tolerance:
-      break;
-    case numerics::RootStatus::bracket_within_tolerance:
-      if (to_round_off) {  // the residual jumps across zero: both sides, mixed so that the pressure is met
-        use_prefix_ = false;
-        const Residual below = residual(root.lower, false), above = residual(root.upper, false);
-        use_prefix_ = prefix;
-        if (below.value > 0.0 && above.value < 0.0) {
-          region.constant = root.lower;
-          region.constant_beyond = root.upper;
-          region.share = below.value / (below.value - above.value);
-          // a steep but continuous residual also misses its floor from one number to the next, but not by this much
-          if (below.value - above.value > 1e6 * (below.floor + above.floor)) {
-            profile_.at_regime_jump = true;
-            profile_.turbulent_share = region.share;
-          }
-        }
-      }
-      break;
-    case numerics::RootStatus::evaluation_limit:
-    case numerics::RootStatus::no_sign_change:
-    case numerics::RootStatus::not_finite:
-      profile_.status = ProfileStatus::not_converged;
-      break;
-  }
-  profile_.residual = std::max(profile_.residual, std::abs(root.residual));
-  return region;
 }
 
 /// One regime and one direction over the whole crack: the flux is the root of a quadratic or linear equation.

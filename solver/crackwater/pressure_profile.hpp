@@ -164,6 +164,10 @@ class PressureSolver {
   void finish();
 
   Region find(numerics::RootFunction residual, double lower, double upper);
+  bool settles(numerics::RootFunction residual, double lower, Region& region);
+  numerics::BracketedRoot confirm(numerics::RootFunction residual, numerics::BracketedRoot root, double lower,
+                                  double upper, const numerics::RootOptions& options);
+  void take_both_sides(numerics::RootFunction residual, const numerics::BracketedRoot& root, Region& region);
   double stationary_point(int segment, double c) const;
   numerics::Residual through_residual(double c, bool wants_slope);
   numerics::Residual front_residual(double c, bool wants_slope);

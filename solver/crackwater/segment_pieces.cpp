@@ -35,7 +35,7 @@ Piece piece_of(const Segment& segment, const FlowLaw& law, double c, double star
   const double d = flux(segment, c, centre);
   const double alpha = (segment.linear + 2.0 * segment.quadratic * centre) * half;
   const double beta = segment.quadratic * half * half;
-  const auto m = inverse_cube_moments(w0, w1);
+  const auto m = inverse_cube_moments(w0, w1, taper_of(w0, w1));
   const double wm = 0.5 * (w0 + w1);
   const double scale = 0.5 * length / (wm * wm * wm);
   const bool turbulent = std::abs(d) > law.critical_flux;
@@ -105,12 +105,14 @@ Loss loss_between(const Segment& segment, const FlowLaw& law, double c, double s
   for (int k = 0; k <= count; ++k) {
     const double to = cuts[static_cast<std::size_t>(k)];
     if (!(to > from)) continue;
-    const double w0 = aperture(segment, from), w1 = aperture(segment, to), inverse = 1.0 / (w0 + w1);
+    const double w0 = aperture(segment, from), w1 = aperture(segment, to);
+    const Taper<double> taper = taper_of(w0, w1);
+    const double inverse = taper.inverse_sum;
     const double centre = 0.5 * (from + to), half = 0.5 * (to - from);
     const double d = flux(segment, c, centre), beta = segment.quadratic * half * half;
     const double alpha = (segment.linear + 2.0 * segment.quadratic * centre) * half;
     const double scale = 4.0 * segment.length * half * (inverse * inverse * inverse);
-    const auto m = inverse_cube_moments(w0, w1);
+    const auto m = inverse_cube_moments(w0, w1, taper);
     const double once = scale * (d * m[0] - alpha * m[1] - beta * m[2]);
     if (std::abs(d) > law.critical_flux) {
       const double square = scale * (d * (d * m[0] - 2.0 * (alpha * m[1] + beta * m[2])) + alpha * alpha * m[2] +

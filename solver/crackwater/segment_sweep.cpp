@@ -166,9 +166,10 @@ struct LaneLosses {
 template <int terms>
 inline LaneLosses tapered_losses(Lanes w0, Lanes w1, Lanes h, Lanes alpha, Lanes beta, Lanes d, const FlowLaw& law,
                                  bool is_signed) {
-  const Lanes inverse = 1.0 / (w0 + w1), scale = 4.0 * h * (inverse * inverse * inverse);
+  const Taper<Lanes> taper = taper_of(w0, w1);
+  const Lanes inverse = taper.inverse_sum, scale = 4.0 * h * (inverse * inverse * inverse);
   Lanes m[moment_count];
-  moments_of_little_taper<terms>((w1 - w0) * inverse, 4.0 * (w0 * inverse) * (w1 * inverse), m);
+  moments_of_little_taper<terms>(taper, m);
   // φ = e_0 + e_1 y + … + e_4 y⁴
   const LaneMask turbulent = magnitude(d) > broadcast(law.critical_flux);
   const Lanes b = is_signed ? negated_with(broadcast(law.turbulent), d) : broadcast(law.turbulent);

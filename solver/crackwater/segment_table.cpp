@@ -243,10 +243,10 @@ void SegmentTable::fill_four(int i) {
   const std::size_t k = static_cast<std::size_t>(i);
   const Lanes w0 = load(&aperture_[k]), w1 = load(&aperture_[k + 1]), h = load(&length_[k]);
   const Lanes v0 = load(&rate_[k]), v1 = load(&rate_[k + 1]);
-  const Lanes inverse = 1.0 / (w0 + w1);
-  const Lanes taper = (w1 - w0) * inverse, closeness = 4.0 * (w0 * inverse) * (w1 * inverse);
+  const Taper<Lanes> taper = taper_of(w0, w1);
+  const Lanes inverse = taper.inverse_sum;
   Lanes m[moment_count];
-  moments_of_little_taper<terms>(taper, closeness, m);
+  moments_of_little_taper<terms>(taper, m);
   const Lanes alpha = 0.25 * h * (v0 + v1), beta = 0.125 * h * (v1 - v0);
   const auto c = coefficients(m, 4.0 * h * (inverse * inverse * inverse), alpha, beta);
   store(&a0_[k], c.a0);
@@ -258,8 +258,10 @@ void SegmentTable::fill_four(int i) {
 
 void SegmentTable::fill_one(int i) {
   const std::size_t k = static_cast<std::size_t>(i);
-  const double w0 = aperture_[k], w1 = aperture_[k + 1], h = length_[k], inverse = 1.0 / (w0 + w1);
-  const auto m = inverse_cube_moments(w0, w1);
+  const double w0 = aperture_[k], w1 = aperture_[k + 1], h = length_[k];
+  const Taper<double> taper = taper_of(w0, w1);
+  const double inverse = taper.inverse_sum;
+  const auto m = inverse_cube_moments(w0, w1, taper);
   const double alpha = linear_change(h, rate_[k], rate_[k + 1]), beta = quadratic_change(h, rate_[k], rate_[k + 1]);
   const auto c = coefficients(m.data(), 4.0 * h * (inverse * inverse * inverse), alpha, beta);
   a0_[k] = c.a0, a1_[k] = c.a1, a2_[k] = c.a2;

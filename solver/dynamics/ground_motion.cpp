@@ -1,5 +1,7 @@
 #include "solver/dynamics/ground_motion.hpp"
 
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -138,6 +140,33 @@ GroundMotion read_ground_motion(const std::filesystem::path& file) {
   if (motion.acceleration.size() < 2) {
     throw RecordError(file.string() + ": has " + std::to_string(motion.acceleration.size()) +
                       " sample(s); accepted: two or more");
+  }
+  return motion;
+}
+
+GroundMotion baseline_corrected(GroundMotion motion) {
+  // Velocities of the record (column 3) and of 1, τ, τ² with τ = t / duration, all integrated by the same trapezoids;
+  // what is found is the least-squares fit of the first by the others.
+  const auto count = static_cast<Eigen::Index>(motion.acceleration.size());
+  const auto basis = [count](Eigen::Index sample, int power) {
+    return std::pow(static_cast<double>(sample) / static_cast<double>(count - 1), power);
+  };
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  Eigen::Vector3d of_basis = Eigen::Vector3d::Zero();
+  double of_record = 0.0;
+  const double half = 0.5 * motion.sample_step;
+  for (Eigen::Index i = 1; i < count; ++i) {
+    for (int k = 0; k < 3; ++k) of_basis[k] += half * (basis(i - 1, k) + basis(i, k));
+    of_record += half * (motion.acceleration[static_cast<std::size_t>(i - 1)] +
+                         motion.acceleration[static_cast<std::size_t>(i)]);
+    normal += of_basis * of_basis.transpose();
+    right += of_record * of_basis;
+  }
+  if (count < 4) return motion;  // as many coefficients as velocities: nothing would be left
+  const Eigen::Vector3d coefficients = normal.ldlt().solve(right);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    for (int k = 0; k < 3; ++k) motion.acceleration[static_cast<std::size_t>(i)] -= coefficients[k] * basis(i, k);
   }
   return motion;
 }

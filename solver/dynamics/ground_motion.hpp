@@ -31,4 +31,9 @@ struct GroundMotion {
 /// the time step changes by more than 1e-3 of itself.
 GroundMotion read_ground_motion(const std::filesystem::path& file);
 
+/// The record less the parabola c_0 + c_1 t + c_2 t² that leaves the least Σ v² of the ground's velocity over its
+/// samples, the ground at rest before the first: takes off a drift that an instrument or the digitising has added.
+/// Motion relative to the ground hardly feels it; displacements of the ground itself mean nothing without it.
+GroundMotion baseline_corrected(GroundMotion motion);
+
 }  // namespace sunder::dynamics

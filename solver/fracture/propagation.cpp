@@ -19,9 +19,9 @@ void check(const PropagationLaw& law) {
   if (!(law.max_speed > 0.0)) refuse("max_speed", law.max_speed, "> 0 m/s");
 }
 
-GrowthDecision decide_growth(const StressIntensityFactors& factors, bool held_closed, const PropagationLaw& law) {
-  const bool overlap = factors.K_I < -closed_ratio * std::abs(factors.K_II);
-  if (held_closed || (overlap && !numerics::planted_fault("fracture/closed-crack-grows"))) return {};
+GrowthDecision decide_growth(const StressIntensityFactors& factors, Faces faces, const PropagationLaw& law) {
+  const bool overlap = faces == Faces::as_K_I_says && factors.K_I < -closed_ratio * std::abs(factors.K_II);
+  if (faces == Faces::held_closed || (overlap && !numerics::planted_fault("fracture/closed-crack-grows"))) return {};
   GrowthDecision decision{.verdict = GrowthVerdict::below_toughness,
                           .kink_angle = kink_angle(factors),
                           .equivalent_factor = equivalent_factor(factors)};

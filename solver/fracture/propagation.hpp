@@ -4,7 +4,8 @@
 ///     grows where the faces are open and K_eq >= K_IC, along θ (kink_angle.hpp) [Erdogan and Sih 1963].
 ///
 /// K_I is signed. Where it is negative the faces press on each other, and the stress that the formula sees does not
-/// exist: such a tip, and one that contact holds closed, does not grow whatever K_II is.
+/// exist: such a tip, and one that contact holds closed, does not grow whatever K_II is. The faces of a sawn notch do
+/// not meet; there a negative K_I counts as it is.
 ///
 /// A crack has no inertia in this law, so a step in time needs a rule for how far it runs: one increment (the default
 /// and the seed paper's), or increments until K_eq < K_IC. One increment a step is a speed limit of increment / Δt that
@@ -48,8 +49,14 @@ struct GrowthDecision {
 /// K_I down to -closed_ratio · |K_II| is round-off of a crack in pure shear, not a closed one.
 inline constexpr double closed_ratio = 1e-6;
 
-/// `held_closed`: contact presses on the faces next to the tip.
-[[nodiscard]] GrowthDecision decide_growth(const StressIntensityFactors& factors, bool held_closed,
+/// What is known of the faces next to the tip.
+enum class Faces {
+  as_K_I_says,  ///< closed where K_I < 0
+  held_closed,  ///< contact presses on them
+  apart,        ///< of a notch with a width: never closed
+};
+
+[[nodiscard]] GrowthDecision decide_growth(const StressIntensityFactors& factors, Faces faces,
                                            const PropagationLaw& law);
 
 /// Where the tip goes: `increment` from `tip` at the angle θ to `direction`, the crack's own at its tip [rad].

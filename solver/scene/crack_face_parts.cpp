@@ -84,6 +84,8 @@ Table<Propagation> propagation_table() {
               {.name = "per_step", .meaning = "in time: growth of a tip in one time step"}),
        key(&Propagation::max_speed,
            {.name = "max_speed", .unit = "m/s", .range = positive(), .meaning = "in time: of a tip"}),
+       key(&Propagation::notches,
+           {.name = "notches", .meaning = "at rest: the cracks as given are sawn, their faces never meet"}),
        key(&Propagation::steps,
            {.name = "steps", .range = between(1, 100000), .meaning = "at rest: growths before the run ends"}),
        key(&Propagation::until_length, {.name = "until_length",

@@ -52,7 +52,8 @@ struct Propagation {
   fracture::GrowthPerStep per_step = fracture::GrowthPerStep::one_increment;
   std::optional<double> max_speed;  ///< of a tip [m/s], > 0; absent: no limit but increment / time step
   // At rest (analysis = "static"): the loads are scaled so that the crack just grows.
-  int steps = 100;                     ///< growths at most, >= 1
+  bool notches = false;  ///< the scene's cracks are sawn: a negative K_I does not hold them until they have grown
+  int steps = 100;       ///< growths at most, >= 1
   std::optional<double> until_length;  ///< stop once a crack is as long [m], > 0
   double together = 0.95;  ///< tips with at least this share of the largest K_eq grow in the same step, > 0, <= 1
 };

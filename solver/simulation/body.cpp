@@ -1,6 +1,7 @@
 #include "solver/simulation/body.hpp"
 
 #include <algorithm>
+#include <set>
 #include <unordered_map>
 
 #include "solver/crack/advance_tip.hpp"
@@ -142,6 +143,25 @@ crack::CutOptions cut_options(const scene::Scene& scene) {
   return options;
 }
 
+/// Edges on crack faces that have an edge of a crack polygon opposite. A tip polygon may hold a piece of one face, as
+/// behind a kink; both faces of a piece need the same nodes to be paired.
+std::set<mesh::Edge> opposite_tip_edges(const mesh::PolygonMesh& polygons) {
+  std::set<mesh::Edge> of_tips, opposite;
+  for (const mesh::Polygon& polygon : polygons.polygons) {
+    if (!polygon.open) continue;
+    for (int e = 0; e < polygon.edge_count(); ++e) of_tips.insert(polygon.edge(e));
+  }
+  if (of_tips.empty()) return opposite;
+  for (const mesh::CrackFaces& faces : polygons.cracks) {
+    for (std::size_t i = 0; i + 1 < faces.lower.size(); ++i) {
+      const mesh::Edge below{faces.lower[i + 1], faces.lower[i]}, above{faces.upper[i], faces.upper[i + 1]};
+      if (of_tips.contains(below)) opposite.insert(above);
+      if (of_tips.contains(above)) opposite.insert(below);
+    }
+  }
+  return opposite;
+}
+
 /// On a coarse tip polygon the edges' order decides K_I, and raising it costs next to nothing (measured: README).
 int tip_order(const scene::Mesh& mesh) {
   if (mesh.tip_order) return *mesh.tip_order;
@@ -190,12 +210,15 @@ Body build_body(const scene::Scene& scene, Ledger& ledger) {
 void place_nodes(Body& body) {
   const Discretisation& rule = body.discretisation;
   if (rule.edge_size) mesh::divide_long_edges(body.polygons, {.size = *rule.edge_size});
-  body.nodes = mesh::place_nodes(body.polygons, [&](int polygon, int /*edge*/) {
-    return body.polygons.polygons[polygon].open ? rule.tip_order : rule.order;
+  const std::set<mesh::Edge> opposite = opposite_tip_edges(body.polygons);
+  body.nodes = mesh::place_nodes(body.polygons, [&](int polygon, int edge) {
+    const mesh::Polygon& owner = body.polygons.polygons[polygon];
+    return owner.open || opposite.contains(owner.edge(edge)) ? rule.tip_order : rule.order;
   });
 }
 
 std::vector<PolygonEdge> find_edges(const mesh::PolygonMesh& mesh, const std::vector<mesh::Edge>& edges) {
+  if (edges.empty()) return {};
   const auto key = [](const mesh::Edge& edge) {
     const auto [low, high] = std::minmax(edge[0], edge[1]);
     return (static_cast<unsigned long long>(low) << 32) | static_cast<unsigned>(high);

@@ -44,8 +44,9 @@ bool DynamicRun::grow_cracks() {
       const CrackFaceLoads& crack = body_.cracks[c];
       if (!crack.tip || crack.tip->status != fracture::TipStatus::ready) break;
       if (taken > 0) now_ = observe();
+      const fracture::Faces faces = held_closed(c) ? fracture::Faces::held_closed : fracture::Faces::as_K_I_says;
       const fracture::GrowthDecision decision =
-          fracture::decide_growth({.K_I = now_.cracks[c].K_I, .K_II = now_.cracks[c].K_II}, held_closed(c), law);
+          fracture::decide_growth({.K_I = now_.cracks[c].K_I, .K_II = now_.cracks[c].K_II}, faces, law);
       if (decision.verdict != fracture::GrowthVerdict::grows || !fracture::take_increment(allowances_[c], law, taken))
         break;
       const mesh::Point to =
@@ -134,6 +135,7 @@ bool DynamicRun::grow_tip(std::size_t crack, const mesh::Point& to) {
   around_->load_at(number_, body_.dead_load, start_);
   end_ = start_;
   crest_ = crest_node(body_.body);
+  drawn_.reset();
   energy_.grow(step_->equations(), state_);
   released_ = step_->unbalanced(state_, start_);
   visit.add_entries(step_->equations().factor_entries());

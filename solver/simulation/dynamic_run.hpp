@@ -1,8 +1,9 @@
 #pragma once
-/// A dynamic run under way: rest, steps, growth, and what is remembered of them. Private to run_dynamic.cpp and
-/// dynamic_growth.cpp.
+/// A dynamic run under way: rest, steps, growth, and what is remembered of them. Private to run_dynamic.cpp,
+/// dynamic_growth.cpp, dynamic_output.cpp and dynamic_checkpoint.cpp.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "solver/simulation/dynamic_options.hpp"
 #include "solver/simulation/dynamic_record.hpp"
 #include "solver/simulation/dynamic_step.hpp"
+#include "solver/simulation/field_snapshot.hpp"
 #include "solver/simulation/growth.hpp"
 #include "solver/simulation/run.hpp"
 #include "solver/simulation/surroundings.hpp"
@@ -37,7 +39,18 @@ class DynamicRun {
   CrackRecord observe_crack(std::size_t crack, Eigen::Index first_pair) const;
   FaceMemory remembered(const DynamicBody& before) const;
   bool held_closed(std::size_t crack) const;
+  // dynamic_checkpoint.cpp
+  bool has_checkpoints() const;
+  bool wants_checkpoint(long long number) const;
+  std::string identity() const;
+  void note_felt();
+  void keep();
+  void go_on();
+
   void note_event(std::size_t crack, const std::string& what, const mesh::Point& place);
+  results::Quantity profile_of(std::size_t crack, Eigen::Index first_pair) const;
+  void note_profiles();
+  void write_fields();
   void finish();
   void stop(const std::string& why) { summary_.status = "stopped: " + why; }
   std::string time_text() const;
@@ -65,14 +78,18 @@ class DynamicRun {
   std::vector<Eigen::VectorXd> media_before_;
   Eigen::VectorXd released_;  // what held the new faces together; empty but in the step after a growth event
   std::vector<fracture::SpeedAllowance> allowances_;
+  std::vector<double> felt_;  // by the media in all steps, where checkpoints are wanted
+  std::string identity_;      // likewise
 
   // what is remembered
   EnergyAccount energy_;
   std::unique_ptr<DynamicRecord> record_;
   StepRecord now_;
   std::vector<std::vector<mesh::Point>> paths_;
-  results::Quantity::List events_;
-  std::string end_event_;  // an end that is no failure: the body is cut through
+  results::Quantity::List events_, profiles_;
+  std::unique_ptr<results::FieldFile> fields_;  // where the scene asks for fields
+  std::optional<FieldGeometry> drawn_;          // of the present body
+  std::string end_event_;                       // an end that is no failure: the body is cut through
 };
 
 }  // namespace sunder::simulation

@@ -135,6 +135,7 @@ void GrowthRecord::add_quantities(const std::string& end, results::RunSummary& s
   quantities["cracks"] = std::move(cracks);
   quantities["growth"] = std::move(growth);
   quantities["events"] = events_;
+  summary.history = history_;
 }
 
 }  // namespace sunder::simulation

@@ -29,7 +29,6 @@ class GrowthRecord {
   void refuse(int tip, const mesh::Point& from, const std::string& reason);
 
   const std::string& refusal() const { return refusal_; }
-  const results::History& history() const { return history_; }
 
   /// `end`: why the run ended; empty where the status tells.
   void add_quantities(const std::string& end, results::RunSummary& summary) const;

@@ -71,6 +71,7 @@ results::RunSummary run(const scene::Scene& scene, const RunOptions& options) {
   } else {
     throw std::invalid_argument(std::string("analysis \"") + word(scene.analysis) + "\" is not built yet");
   }
+  if (options.final_body && !scene.propagation && scene.analysis != scene::Analysis::dynamic) options.final_body(body);
   ledger.close(summary);
   if (options.progress) options.progress("done", 1.0);
   return summary;

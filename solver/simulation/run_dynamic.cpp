@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "solver/simulation/analyses.hpp"
+#include "solver/simulation/checkpoint.hpp"
 #include "solver/simulation/dynamic_run.hpp"
 #include "solver/simulation/static_start.hpp"
 
@@ -109,7 +110,9 @@ CrackRecord DynamicRun::observe_crack(std::size_t crack, Index first_pair) const
 }
 
 StepRecord DynamicRun::observe() const {
-  StepRecord record{.time = state_.time, .crest = state_.displacement.segment<2>(2 * crest_)};
+  StepRecord record;
+  record.time = state_.time;
+  record.crest = state_.displacement.segment<2>(2 * crest_);
   for (std::size_t m = 0; m < around_->media().size(); ++m) {
     const AttachedMedium& medium = *around_->media()[m];
     if (medium.name == "reservoir") record.hydrodynamic_force = -step_->equations().medium_forces()[m].sum();
@@ -141,6 +144,7 @@ bool DynamicRun::step(long long number) {
   std::swap(start_, end_);
   number_ = number;
   state_.time = around_->time_at(number);
+  note_felt();
   if (step_->faces() != nullptr) {
     const faces::FaceStepResult& result = step_->faces()->result();
     ledger_.count("face_iterations", result.iterations);
@@ -169,6 +173,8 @@ void DynamicRun::finish() {
     found["crack_path"] = paths.size() == 1 ? paths.front() : results::Quantity(paths);
     found["events"] = events_;
   }
+  if (!profiles_.empty()) found["profiles"] = profiles_;
+  if (fields_ != nullptr) fields_->commit();
   summary_.history = record_->take_history();
   summary_.mesh = {
       .polygons = body_.body.nodes.polygon_count(), .nodes = body_.body.nodes.node_count(), .dofs = body_.body.dofs()};
@@ -184,25 +190,35 @@ void DynamicRun::go() {
                                                           .water = scene_.crack_water.has_value(),
                                                           .propagation = scene_.propagation.has_value()},
                                             static_cast<std::size_t>(steps));
-  now_ = observe();
-  record_->add(now_, energy_.energies());
+  if (options_.resume) {
+    go_on();
+  } else {
+    now_ = observe();
+    record_->add(now_, energy_.energies());
+    write_fields();
+  }
   {
     const Ledger::Visit visit(ledger_, "dynamics", "steps");
-    for (long long number = 1; number <= steps; ++number) {
+    for (long long number = number_ + 1; number <= steps; ++number) {
       if (options_.stop != nullptr && options_.stop->load()) {
         stop("interrupted at " + time_text());
+        if (has_checkpoints()) keep();
         break;
       }
       if (!step(number)) break;
       now_ = observe();
       record_->add(now_, energy_.energies());
+      note_profiles();
+      write_fields();
       ledger_.count("steps");
+      if (wants_checkpoint(number)) keep();
       if (scene_.propagation && number < steps && !grow_cracks()) break;
       if (!end_event_.empty()) break;
       if (options_.progress && number % 16 == 0)
         options_.progress("steps", static_cast<double>(number) / static_cast<double>(steps));
     }
   }
+  if (has_checkpoints() && summary_.completed()) std::filesystem::remove(checkpoint_file(options_.output));
   finish();
 }
 

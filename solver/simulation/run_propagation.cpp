@@ -31,16 +31,22 @@ struct Equilibrium {
   bool solved() const { return state.solution.status == numerics::FactorStatus::factorised; }
 };
 
-void solve(const scene::Scene& scene, const fracture::PropagationLaw& law, numerics::ThreadPool& pool, Ledger& ledger,
-           Equilibrium& now, const std::optional<EarlierLoads>& earlier = {}) {
+/// `notch_lengths`: of each crack while it is still a notch.
+void solve(const scene::Scene& scene, const fracture::PropagationLaw& law, const std::vector<double>& notch_lengths,
+           numerics::ThreadPool& pool, Ledger& ledger, Equilibrium& now,
+           const std::optional<EarlierLoads>& earlier = {}) {
   now.supports = supports_of(scene, now.body, true);
   now.state = static_state(scene, now.body, now.formation, now.supports, pool, ledger, earlier);
   if (!now.solved()) return;
   const Ledger::Visit visit(ledger, "fracture", "tips");
   now.tips = tip_results(scene, now.body, now.formation, now.state.solution.displacement);
   for (const TipResult& tip : now.tips) {
+    const bool sawn = crack_length(now.body.polygons, tip.tip) <= notch_lengths[static_cast<std::size_t>(tip.tip)];
     GrowthDecision decision;
-    if (tip.status == fracture::TipStatus::ready) decision = fracture::decide_growth(tip.state.factors, false, law);
+    if (tip.status == fracture::TipStatus::ready) {
+      const fracture::Faces faces = sawn ? fracture::Faces::apart : fracture::Faces::as_K_I_says;
+      decision = fracture::decide_growth(tip.state.factors, faces, law);
+    }
     now.largest_factor = std::max(now.largest_factor, decision.equivalent_factor);
     now.decisions.push_back(decision);
   }
@@ -113,6 +119,10 @@ void run_propagation(const scene::Scene& scene, const Body& body, const RunOptio
                      Ledger& ledger, results::RunSummary& summary) {
   const fracture::PropagationLaw law = law_of(scene, body);
   static_cast<void>(supports_of(scene, body, false));  // refuses a body that floats from the beginning
+  std::vector<double> notch_lengths(body.polygons.cracks.size(), 0.0);
+  for (std::size_t tip = 0; tip < notch_lengths.size() && scene.propagation->notches; ++tip) {
+    notch_lengths[tip] = (1.0 + 1e-9) * crack_length(body.polygons, static_cast<int>(tip));
+  }
   GrowthRecord record(scene, body);
   Equilibrium now;
   now.body = body;
@@ -120,7 +130,7 @@ void run_propagation(const scene::Scene& scene, const Body& body, const RunOptio
     const Ledger::Visit visit(ledger, "sbfem", "polygons");
     now.formation = sbfem::form(body.nodes, body.materials, {.pool = &pool});
   }
-  solve(scene, law, pool, ledger, now);
+  solve(scene, law, notch_lengths, pool, ledger, now);
   std::string end;
   for (int step = 0; now.solved(); ++step) {
     record.add_state(now.body, now.state, now.tips, now.decisions, law.fracture_toughness / now.largest_factor);
@@ -131,7 +141,7 @@ void run_propagation(const scene::Scene& scene, const Body& body, const RunOptio
       break;
     }
     if (!(now.largest_factor > 0.0)) {
-      summary.status = "stopped: no crack opens under these loads: K_I is not positive at any tip after " +
+      summary.status = "stopped: no crack opens under these loads: K_I is negative at every tip after " +
                        std::to_string(step) + " growths";
       break;
     }
@@ -146,7 +156,7 @@ void run_propagation(const scene::Scene& scene, const Body& body, const RunOptio
       end = "cut in two";  // one part floats: there is no equilibrium to ask for any more
       break;
     }
-    solve(scene, law, pool, ledger, next, EarlierLoads{now.state.interior, same});
+    solve(scene, law, notch_lengths, pool, ledger, next, EarlierLoads{now.state.interior, same});
     now = std::move(next);
   }
   if (!now.solved()) summary.status = stopping_reason(now.body, now.state.solution);

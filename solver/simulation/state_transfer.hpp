@@ -3,9 +3,11 @@
 ///
 /// A node that stands where one stood keeps its value. Any other takes the value that the old polygons' own field,
 /// u(ξ) = ξ^A u_b, has at its place; on the old faces of a crack, the value of its own side. Both faces of a new piece
-/// of crack get the same value: it opens from closed. Constant and linear fields go over exactly, to round-off. The
-/// particular part of loads that act inside a polygon is not looked at: it is of the order of the polygon's size
-/// squared and the next solution restores it.
+/// of crack get the same value: it opens from closed. Rigid motions go over exactly, to round-off, and so does a
+/// uniform strain, but for the polygons of tips, whose own field has faces free of traction: there it is exact where it
+/// puts none on the faces (tension along the crack), and any other opens them. The particular part of loads that act
+/// inside a polygon is not looked at: it is of the order of the polygon's size squared and the next solution restores
+/// it.
 
 #include <Eigen/Core>
 

@@ -9,15 +9,18 @@
 #include "verification/exact/cracks.hpp"
 #include "verification/exact/foundation.hpp"
 #include "verification/exact/oscillator.hpp"
+#include "verification/exact/reservoir.hpp"
 #include "verification/exact/vibration.hpp"
 
 namespace sunder::verification {
 namespace {
 
-/// The natural number that a function of natural numbers was given.
+/// The natural number that a function of natural numbers was given; but for the round-off of a quotient.
 int natural(double x) {
-  if (!(x >= 0.0 && x <= 1e6) || x != std::floor(x)) throw std::invalid_argument("a natural number is needed");
-  return static_cast<int>(x);
+  constexpr double round_off = 1e-9;
+  if (!(x >= 0.0 && x <= 1e6) || std::abs(x - std::round(x)) > round_off * (1.0 + x))
+    throw std::invalid_argument("a natural number is needed");
+  return static_cast<int>(std::lround(x));
 }
 
 exact::MovingCrack moving_crack(std::span<const double> x) {
@@ -59,6 +62,10 @@ const std::vector<NumberFunction>& number_functions() {
       {"arc_crack_biaxial_K_II", 3, [](Numbers x) { return exact::arc_crack_biaxial(x[0], x[1], x[2]).K_II; }},
       {"arc_crack_uniaxial_K_I", 3, [](Numbers x) { return exact::arc_crack_uniaxial(x[0], x[1], x[2]).K_I; }},
       {"arc_crack_uniaxial_K_II", 3, [](Numbers x) { return exact::arc_crack_uniaxial(x[0], x[1], x[2]).K_II; }},
+      // reservoir with a rigid bottom: kappa; mass over that of still water, dry frequency; T
+      {"reservoir_force", 1, [](Numbers x) { return exact::reservoir_force(x[0]); }},
+      {"coupled_frequency", 2, [](Numbers x) { return exact::coupled_frequency(x[0], x[1]); }},
+      {"reservoir_impulse_before_echo", 1, [](Numbers x) { return exact::reservoir_impulse_before_echo(x[0]); }},
       {"kink_angle", 2, [](Numbers x) { return exact::kink_angle(x[0], x[1]); }},
       // E [Pa], nu, rho [kg/m³], side [m], index from 0 [rad/s]
       {"roller_square_plane_strain", 5,
@@ -93,6 +100,13 @@ const std::vector<NumberFunction>& number_functions() {
        [](Numbers x) { return exact::ramped_oscillator(x[0], x[1], x[2], x[3], x[4]).displacement; }},
       // amplitude [m] and duration [s] of the base's pulse, length [m], wave speed [m/s], time [s]
       {"rod_free_end", 5, [](Numbers x) { return exact::rod_free_end(x[0], x[1], x[2], x[3], x[4]); }},
+      // transit [s], forcing [1/s], time [s]
+      {"shaken_rod_free_end", 3, [](Numbers x) { return exact::shaken_rod_free_end(x[0], x[1], x[2]); }},
+      // spectral radius, omega dt, damping ratio, steps
+      {"hht_alpha_step_response", 4,
+       [](Numbers x) { return exact::hht_alpha_step_response(x[0], x[1], x[2], natural(x[3])); }},
+      {"generalised_alpha_step_response", 4,
+       [](Numbers x) { return exact::generalised_alpha_step_response(x[0], x[1], x[2], natural(x[3])); }},
       // rigid disc in the plane: Poisson's ratio, omega r / c_s
       {"rigid_disc_translation_re", 2, [](Numbers x) { return exact::rigid_disc_translation(x[0], x[1]).real(); }},
       {"rigid_disc_translation_im", 2, [](Numbers x) { return exact::rigid_disc_translation(x[0], x[1]).imag(); }},

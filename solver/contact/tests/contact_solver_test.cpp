@@ -175,6 +175,23 @@ TEST(Contact, FacesThatCannotPartAreNamed) {
   EXPECT_EQ(result.status, ContactStatus::no_solution);
   EXPECT_NEAR(result.pair_force[0], 0.5, eps);
   EXPECT_EQ(solve(exact, rigid, VectorXd::Ones(2), VectorXd::Zero(2)).status, ContactStatus::converged);
+  // A tolerance below the round-off of the gaps is no lack of a solution.
+  ContactOptions finer = exact;
+  finer.penetration_tolerance = 1e-300;
+  const MatrixXd F = tests::face_flexibility(9);
+  const ContactResult rounded = solve(finer, F, VectorXd::Ones(9), VectorXd::LinSpaced(9, -0.1, -0.2));
+  EXPECT_TRUE(rounded.status == ContactStatus::not_converged || rounded.largest_penetration == 0.0);
+}
+
+TEST(PenaltyContact, APairWithoutLengthHasNoSpring) {
+  const MatrixXd F{{2e-10, 1e-10}, {1e-10, 2e-10}};
+  for (const double length : {0.0, 1e-320}) {
+    const ContactResult result =
+        solve({.penetration_tolerance = 1.0}, F, VectorXd{{0.5, length}}, VectorXd::Constant(2, -0.1));
+    EXPECT_EQ(result.status, ContactStatus::converged);
+    EXPECT_EQ(result.pair_force[1], 0.0);
+    EXPECT_GT(result.largest_penetration, 0.05);  // what its neighbour does not part
+  }
 }
 
 TEST(Contact, NoPairsIsAnAnswer) {

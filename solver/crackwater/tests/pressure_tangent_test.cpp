@@ -19,6 +19,7 @@ struct Case {
   Motion motion;
   MouthPressures mouths;
   Quadrature quadrature = Quadrature::exact;
+  double rise = 0.0;  ///< of each segment [m]
 };
 
 Motion wavy(int n, double phase) {
@@ -70,10 +71,15 @@ TEST(PressureTangent, AgreesWithDifferences) {
       {"strong taper", linear_motion(n, 0.10, 0.001, -0.01, 0.0), {reference_head, 0.0}},
       {"midpoint, opening", reference_motion(n, 0.10), {reference_head, 0.0}, Quadrature::midpoint},
       {"midpoint, closing", reference_motion(n, -0.10), {reference_head, 1e5}, Quadrature::midpoint},
+      {"rising, opening with a front", reference_motion(n, 0.10), {reference_head, 0.0}, Quadrature::exact, 0.75},
+      {"falling, closing", reference_motion(n, -0.10), {reference_head, 0.0}, Quadrature::exact, -0.75},
+      {"rising, closing, closed tip", reference_motion(n, -0.10), {reference_head, {}}, Quadrature::exact, 0.75},
   };
   for (const Case& c : cases) {
     SCOPED_TRACE(c.description);
-    PressureSolver solver(straight_crack(45.0, n), {}, {.quadrature = c.quadrature});
+    CrackLine line = straight_crack(45.0, n);
+    if (c.rise != 0.0) line.rises.assign(n, c.rise);
+    PressureSolver solver(line, {}, {.quadrature = c.quadrature});
     const bool open = c.mouths.downstream.has_value();
     const Eigen::VectorXd x = inputs(c.motion, c.mouths);
     const Eigen::VectorXd at = answer(solver, x, open);

@@ -2,7 +2,9 @@
 /// The crack of the seed paper's section 4: 45 m, 0.10 m wide at the upstream mouth and 0.05 m at the downstream one,
 /// under 50 m of water upstream, its upstream mouth opening at a given rate and its downstream one at rest.
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -11,6 +13,10 @@
 namespace sunder::crackwater::tests {
 
 inline constexpr double reference_head = 490500.0;  // Pa: 50 m, ρ = 1000, g = 9.81
+
+inline double relative(double value, double expected) {
+  return std::abs(value - expected) / std::max(std::abs(expected), std::numeric_limits<double>::min());
+}
 
 struct Motion {
   std::vector<double> apertures, rates;

@@ -29,10 +29,11 @@ TEST(TimeScheme, SpectralRadiusAtInfiniteFrequencyIsTheOneAskedFor) {
 
 TEST(TimeScheme, NoneGrowsAnywhere) {
   for (double phase = 1e-4; phase < 1e5; phase *= 1.5) {
-    for (const double rho : {0.5, 0.8, 1.0}) {
-      EXPECT_LE(radius(hht_alpha(rho), phase), 1.0 + 1e-10);
-      EXPECT_LE(radius(generalised_alpha(rho), phase), 1.0 + 1e-10);
-    }
+    for (const double rho : {0.5, 0.8, 1.0}) EXPECT_LE(radius(hht_alpha(rho), phase), 1.0 + 1e-10) << phase;
+    for (const double rho : {0.2, 0.5, 0.8}) EXPECT_LE(radius(generalised_alpha(rho), phase), 1.0 + 1e-10) << phase;
+    // At ρ = 1 the eigenvalue of the acceleration's memory is -1 for every phase, and the other two come to it with
+    // growing phase: of a triple eigenvalue round-off leaves its cube root, 6e-6, times a factor of order one.
+    EXPECT_LE(radius(generalised_alpha(1.0), phase), 1.0 + 2e-5) << phase;
   }
 }
 
@@ -84,6 +85,28 @@ TEST_F(Record, OfPeerIsInUnitsOfGravity) {
   ASSERT_EQ(motion.acceleration.size(), 5u);
   EXPECT_EQ(motion.sample_step, 0.005);
   EXPECT_NEAR(motion.acceleration[2], -0.3 * 9.80665, 1e-15);
+}
+
+double last_velocity(const GroundMotion& motion) {
+  double velocity = 0.0;
+  for (std::size_t i = 1; i < motion.acceleration.size(); ++i)
+    velocity += 0.5 * motion.sample_step * (motion.acceleration[i - 1] + motion.acceleration[i]);
+  return velocity;
+}
+
+TEST(Baseline, AParabolaIsTakenOffWholly) {
+  GroundMotion motion{.start = 2.0, .sample_step = 0.02, .acceleration = {}};
+  for (int i = 0; i < 500; ++i) motion.acceleration.push_back(0.3 - 0.02 * i + 1e-4 * i * i);
+  // The fit is exact; the normal equations of 1, t, t² on 0 … 1 lose about four of sixteen digits of 20 m/s².
+  for (const double value : baseline_corrected(motion).acceleration) EXPECT_NEAR(value, 0.0, 1e-9);
+}
+
+TEST(Baseline, SecondCorrectionChangesNothing) {
+  GroundMotion motion{.start = 0.0, .sample_step = 0.01, .acceleration = {}};
+  for (int i = 0; i < 700; ++i) motion.acceleration.push_back(std::sin(0.11 * i) + 0.02 + 1e-4 * i);
+  const GroundMotion once = baseline_corrected(motion), twice = baseline_corrected(once);
+  EXPECT_LT(std::abs(last_velocity(once)), 0.2 * std::abs(last_velocity(motion)));  // the drift is what it takes off
+  for (std::size_t i = 0; i < 700; ++i) EXPECT_NEAR(twice.acceleration[i], once.acceleration[i], 1e-10);
 }
 
 TEST_F(Record, WhatIsWrongIsNamedWithItsLine) {

@@ -13,38 +13,43 @@ namespace {
 constexpr PropagationLaw concrete{.fracture_toughness = 2e6, .increment = 0.5};
 
 TEST(Propagation, GrowsFromTheToughnessOn) {
-  EXPECT_EQ(decide_growth({.K_I = std::nextafter(2e6, 0.0), .K_II = 0.0}, false, concrete).verdict,
+  EXPECT_EQ(decide_growth({.K_I = std::nextafter(2e6, 0.0), .K_II = 0.0}, Faces::as_K_I_says, concrete).verdict,
             GrowthVerdict::below_toughness);
-  const GrowthDecision straight = decide_growth({.K_I = 2e6, .K_II = 0.0}, false, concrete);
+  const GrowthDecision straight = decide_growth({.K_I = 2e6, .K_II = 0.0}, Faces::as_K_I_says, concrete);
   EXPECT_EQ(straight.verdict, GrowthVerdict::grows);
   EXPECT_EQ(straight.kink_angle, 0.0);
   EXPECT_EQ(straight.equivalent_factor, 2e6);
   // Pure shear grows at K_II = (√3 / 2) K_IC, at 70.5288 degrees.
   const double shear = 0.5 * std::numbers::sqrt3 * 2e6;
-  EXPECT_EQ(decide_growth({.K_I = 0.0, .K_II = 0.999999 * shear}, false, concrete).verdict,
+  EXPECT_EQ(decide_growth({.K_I = 0.0, .K_II = 0.999999 * shear}, Faces::as_K_I_says, concrete).verdict,
             GrowthVerdict::below_toughness);
-  const GrowthDecision sheared = decide_growth({.K_I = 0.0, .K_II = 1.000001 * shear}, false, concrete);
+  const GrowthDecision sheared = decide_growth({.K_I = 0.0, .K_II = 1.000001 * shear}, Faces::as_K_I_says, concrete);
   EXPECT_EQ(sheared.verdict, GrowthVerdict::grows);
   EXPECT_DOUBLE_EQ(sheared.kink_angle, -std::acos(1.0 / 3.0));
 }
 
 TEST(Propagation, AClosedCrackDoesNotGrow) {
   for (const double K_II : {0.0, 1e6, -1e9}) {
-    EXPECT_EQ(decide_growth({.K_I = -1e6, .K_II = K_II / 1e3}, false, concrete).verdict, GrowthVerdict::closed);
-    EXPECT_EQ(decide_growth({.K_I = 1e9, .K_II = K_II}, true, concrete).verdict, GrowthVerdict::closed);
+    EXPECT_EQ(decide_growth({.K_I = -1e6, .K_II = K_II / 1e3}, Faces::as_K_I_says, concrete).verdict,
+              GrowthVerdict::closed);
+    EXPECT_EQ(decide_growth({.K_I = 1e9, .K_II = K_II}, Faces::held_closed, concrete).verdict, GrowthVerdict::closed);
   }
+  // A notch has no faces that could meet: the same field as with K_I > 0 opens the kink.
+  EXPECT_EQ(decide_growth({.K_I = -1e6, .K_II = 8e6}, Faces::apart, concrete).verdict, GrowthVerdict::grows);
+  EXPECT_EQ(decide_growth({.K_I = -1e6, .K_II = 8e6}, Faces::as_K_I_says, concrete).verdict, GrowthVerdict::closed);
   // Round-off of K_I in pure shear does not close the crack.
-  EXPECT_EQ(decide_growth({.K_I = -1.0, .K_II = 1e7}, false, concrete).verdict, GrowthVerdict::grows);
+  EXPECT_EQ(decide_growth({.K_I = -1.0, .K_II = 1e7}, Faces::as_K_I_says, concrete).verdict, GrowthVerdict::grows);
 }
 
 TEST(Propagation, ToughnessAtTheEndsOfItsRange) {
   PropagationLaw law = concrete;
   law.fracture_toughness = INFINITY;
   check(law);
-  EXPECT_EQ(decide_growth({.K_I = 1e300, .K_II = 0.0}, false, law).verdict, GrowthVerdict::below_toughness);
+  EXPECT_EQ(decide_growth({.K_I = 1e300, .K_II = 0.0}, Faces::as_K_I_says, law).verdict,
+            GrowthVerdict::below_toughness);
   law.fracture_toughness = 1e-300;
   check(law);
-  EXPECT_EQ(decide_growth({.K_I = 1e-9, .K_II = 0.0}, false, law).verdict, GrowthVerdict::grows);
+  EXPECT_EQ(decide_growth({.K_I = 1e-9, .K_II = 0.0}, Faces::as_K_I_says, law).verdict, GrowthVerdict::grows);
   for (const double bad : {0.0, -1.0, static_cast<double>(NAN)}) {
     law.fracture_toughness = bad;
     EXPECT_THROW(check(law), std::invalid_argument) << bad;

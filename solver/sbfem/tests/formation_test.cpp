@@ -126,5 +126,33 @@ TEST(Formation, EmptyMeshIsEmpty) {
   EXPECT_EQ(formation.summary().worst_polygon, -1);
 }
 
+TEST(Formation, TakesOverThePolygonsOfAnEarlierOne) {
+  mesh::PolygonMesh polygons = honeycomb(7, 5, 3);
+  const mesh::NodalMesh before = place_nodes(polygons, mixed_order);
+  const Formation earlier = form(before, materials, {.with_mass = true});
+  polygons.vertices[polygons.polygons[12].vertices[0]] += mesh::Point(1e-15, 1e-3);  // three polygons have it
+  polygons.polygons[20].material = (polygons.polygons[20].material + 1) % 3;
+  const mesh::NodalMesh mesh = place_nodes(polygons, [](int polygon, int edge) {
+    return polygon == 30 ? 2 : mixed_order(polygon, edge);  // its neighbours get nodes too
+  });
+  std::vector<int> from(35);
+  for (int i = 0; i < 35; ++i) from[i] = i;
+  const std::vector<int> same = same_polygons(mesh, before, from);
+  EXPECT_EQ(same[12], -1);
+  EXPECT_EQ(same[20], -1);
+  EXPECT_EQ(same[30], -1);
+  EXPECT_EQ(same[1], 1);
+  const Formation again = form_again(mesh, materials, {.with_mass = true}, earlier, same);
+  EXPECT_TRUE(same_bits(again, form(mesh, materials, {.with_mass = true})));
+  EXPECT_GT(again.summary().reused_count, 20);
+
+  EXPECT_THROW(form_again(mesh, materials, {}, earlier, same), std::invalid_argument);  // without mass
+  EXPECT_THROW(form_again(mesh, materials, {.with_mass = true}, earlier, std::vector<int>(3, -1)),
+               std::invalid_argument);
+  std::vector<int> wrong = same;
+  wrong[30] = 1;  // of another size
+  EXPECT_THROW(form_again(mesh, materials, {.with_mass = true}, earlier, wrong), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace sunder::sbfem

@@ -64,7 +64,7 @@ TEST(Reference, SaysWhatIsAcceptedAndInWhichUnit) {
   EXPECT_EQ(key_of("mesh", "size").accepted, "> 0");
   EXPECT_EQ(key_of("mesh", "order").accepted, "1 … 64");
   EXPECT_EQ(key_of("material", "poisson_ratio").accepted, ">= 0, < 0.5");
-  EXPECT_EQ(key_of("reservoir", "reflection_coefficient").accepted, "> -1, <= 1");
+  EXPECT_EQ(key_of("reservoir", "reflection_coefficient").accepted, "0 … 1");
 }
 
 }  // namespace

@@ -122,6 +122,51 @@ TEST(CrackWaterRun, CarriesTheWeightOfWaterInAnInclinedCrack) {
   EXPECT_NE(refusal({{"crack_line.rise", "-45.1"}}).find("crack_line.rise"), std::string::npos);
 }
 
+TEST(CrackWaterRun, RefusesBadInputWithTheKeyTheValueAndTheBound) {
+  struct Bad {
+    const char *key, *value, *shown, *bound;
+  };
+  const Bad cases[] = {
+      {"crack_line.aperture", "[nan, 0.05]", "nan", "finite"},
+      {"crack_line.aperture", "[0.1, inf]", "inf", "finite"},
+      {"crack_line.aperture", "[0.1, 0.0]", "0", "> 0"},
+      {"crack_line.aperture", "[0.1, -0.05]", "-0.05", "> 0"},
+      {"crack_line.aperture", "[0.1, 0.1, 0.05]", "3 values", "46 (segments + 1)"},
+      {"crack_line.opening_rate", "[-inf, 0.0]", "inf", "finite"},
+      {"crack_line.opening_rate", "[0.1, 0.1, 0.05]", "3 values", "46 (segments + 1)"},
+      {"crack_line.segments", "0", "0", ">= 1"},
+      {"crack_line.length", "0.0", "0", "> 0"},
+      {"crack_line.upstream_head", "-1.0", "-1", ">= 0"},
+      {"crack_line.upstream_head", "nan", "nan", "finite"},
+      {"crack_line.downstream_head", "-1.0", "-1", ">= 0"},
+      {"crack_line.rise", "46.0", "rise", "-length … length"},
+      {"crack_line.tip", "\"closed\"", "tip = \"closed\"", "one of them"},
+      {"crack_line.tolerance", "1.0", "1", "< 1"},
+      {"crack_line.search", "\"regula-falsi\"", "regula-falsi", "bisection"},
+      {"crack_line.quadrature", "\"gauss\"", "gauss", "midpoint"},
+      {"crack_line.march", "{ time_step = 0.0, duration = 1.0 }", "0", "> 0"},
+      {"crack_line.march", "{ time_step = 0.1, duration = -1.0 }", "-1", "> 0"},
+      {"crack_line.march", "{ time_step = 0.1, duration = 1.0, history_every = 0 }", "0", ">= 1"},
+      {"crack_line.march", "{ time_step = 1e-8, duration = 1.0 }", "march.history_every", "1e7 rows"},
+      {"crack_water.minimum_aperture", "0.0", "0", "> 0"},
+      {"crack_water.minimum_aperture", "-0.03", "-0.03", "> 0"},
+      {"crack_water.aperture", "\"product\"", "product", "larger"},
+      {"crack_water.relative_roughness", "0.0", "0", "> 0"},
+      {"crack_water.relative_roughness", "0.51", "0.51", "<= 0.5"},
+      {"crack_water.relative_roughness", "0.006", "0.006", ">= 0.00687879"},
+      {"crack_water.density", "-1000.0", "-1000", "> 0"},
+      {"crack_water.dynamic_viscosity", "-1e-3", "-0.001", "> 0"},
+      {"crack_water.dynamic_viscosity", "nan", "nan", "finite"},
+  };
+  for (const Bad& bad : cases) {
+    const std::string said = refusal({{bad.key, bad.value}});
+    SCOPED_TRACE(std::string(bad.key) + " = " + bad.value + ": " + said);
+    EXPECT_NE(said.find("crack_"), std::string::npos);
+    EXPECT_NE(said.find(bad.shown), std::string::npos);
+    EXPECT_NE(said.find(bad.bound), std::string::npos);
+  }
+}
+
 TEST(CrackWaterRun, NamesTheTableAndTheKeyThatItCannotUse) {
   const std::string said = refusal({{"crack_water.relative_roughness", "1e-3"}});
   EXPECT_EQ(said.find("test.scene.toml:3: [crack_water] relative_roughness = 0.001"), 0u) << said;

@@ -55,6 +55,7 @@ struct Found {
 StudyOutput run_contact_history(const StudyInput& input) {
   const int pairs = static_cast<int>(number_parameter(input, "pairs", 24.0));
   const int steps = static_cast<int>(number_parameter(input, "steps", 100.0));
+  const int repeats = static_cast<int>(number_parameter(input, "repeats", 1.0));
   const double amplitude = number_parameter(input, "amplitude", 5e-3);
   const bool flips = number_parameter(input, "flips", 0.0) != 0.0;
   const bool compare = number_parameter(input, "compare", 1.0) != 0.0;
@@ -68,6 +69,11 @@ StudyOutput run_contact_history(const StudyInput& input) {
     visit.add_entries(F.size());
     contact::ContactSolver solver(options_of(input));
     solver.set_faces(F, VectorXd::Constant(pairs, 0.25));
+    for (int repeat = 1; repeat < repeats; ++repeat) {  // what a sweep times; the method that judges runs once
+      solver.forget();
+      for (int step = 0; step < steps; ++step) (void)solver.solve(gap_at(step, pairs, amplitude, flips));
+    }
+    solver.forget();
     VectorXd reference = VectorXd::Zero(pairs), force, before = VectorXd::Zero(pairs);
     double largest_force = 0.0, largest_difference = 0.0;
     for (int step = 0; step < steps; ++step) {

@@ -1,5 +1,6 @@
 #include "verification/harness/studies/scene_of_study.hpp"
 
+#include "solver/crack/crack_path.hpp"
 #include "solver/mesh/mesh_error.hpp"
 #include "solver/scene/reader.hpp"
 #include "solver/scene/scene_error.hpp"
@@ -14,6 +15,8 @@ StudyOutput run_with_scene(const StudyInput& input, const std::function<results:
     scene::Scene scene = scene::read_scene(input.verification_case.scene, overrides);
     output.summary = run(scene);
   } catch (const scene::SceneError& error) {
+    output.refusal = error.what();
+  } catch (const crack::CrackError& error) {
     output.refusal = error.what();
   } catch (const mesh::MeshError& error) {
     output.refusal = error.what();

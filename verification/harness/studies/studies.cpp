@@ -7,10 +7,14 @@ const Studies& studies() {
       {"contact-history", run_contact_history},
       {"one-polygon", run_one_polygon},
       {"jitter", run_jitter},
+      {"convolve", run_convolve},
+      {"coupled-oscillator", run_coupled_oscillator},
+      {"kernel-march", run_kernel_march},
 #ifdef SUNDER_HAS_SIMULATION
       {"scene", run_scene},
       {"crack-water-motion", run_crack_water_motion},
       {"polynomial-patch", run_polynomial_patch},
+      {"state-transfer", run_state_transfer},
       {"time-step", run_time_step},
 #endif
   };

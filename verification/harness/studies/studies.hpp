@@ -34,6 +34,26 @@ StudyOutput run_crack_water_motion(const StudyInput& input);
 /// decimal digits that stiffness and mass keep.
 StudyOutput run_jitter(const StudyInput& input);
 
+/// "state-transfer": grows the first crack `steps` times by `increment` [m], turning by `turn` [rad] to the left and
+/// to the right in turns, each time from the equilibrium of the scene: reuse_difference (polygons taken over against
+/// all formed anew) and reused_share; linear_error of rigid motions and tension along the crack, rigid_energy;
+/// new_opening of the new faces and old_opening, the least of the old ones over a square root profile; and
+/// strain_energy_change and kinetic_energy_change of the equilibrium itself, one an event.
+StudyOutput run_state_transfer(const StudyInput& input);
+
+/// "convolve": the water's convolution of white noise on a face of `elements` quadratic elements (ρ = c = H = 1) for
+/// `steps` of `step`, by `method` (automatic, direct, blocked-direct, block-fft, state-space with `tolerance`;
+/// `truncation` H/c) against the plain sum: error (largest, of the largest force), relative_error (of norms),
+/// stated_error, share_of_bound of the stated absolute error; with `passivity` = 1 least_power on the unit circle.
+StudyOutput run_convolve(const StudyInput& input);
+
+/// "coupled-oscillator": an undamped oscillator (`mass_ratio`, `dry` frequency) on a rigid face over a rigid bottom for
+/// `duration` H/c in steps of `step`, with weights of `scheme` (trapezoidal, contour, hat, sampled, load-side), cut at
+/// `truncation`: growth (largest displacement of the last tenth over that of the first), mass_share W_0/m, frequency.
+StudyOutput run_coupled_oscillator(const StudyInput& input);
+
+/// "kernel-march": J0 from M * M = G by `scheme` = first-kind or second-kind: kernel_error over `steps` of `step`.
+StudyOutput run_kernel_march(const StudyInput& input);
 /// "time-step": `steps` steps of `time_step` (or of `duration` / steps) by `integrator` (`spectral_radius`) of a `body`
 /// with known motion, then as many of `step_jump` times the length. "oscillator": mass 1, `omega`, Rayleigh `damping`
 /// ("stiffness" or "both") with `damping_ratio` at omega; "rod": length and wave speed 1 of `elements`. `drive`: "free"
