@@ -70,7 +70,7 @@ void NodeProducts::multiply(const VectorXd& x, const VectorXd& z, VectorXd& firs
   second_z.setZero(z.size());
   const auto nodes = static_cast<int>(column_start_.size()) - 1;
   for (int j = 0; j < nodes; ++j) {
-    const Two x_j = x.segment<2>(2 * j).array(), z_j = z.segment<2>(2 * j).array();
+    const Two x_j = x.segment<2>(2 * j), z_j = z.segment<2>(2 * j);
     Four first_gained = Four::Zero(), second_gained = Four::Zero();
     for (int b = column_start_[static_cast<std::size_t>(j)]; b < column_start_[static_cast<std::size_t>(j) + 1]; ++b) {
       const int i = row_[static_cast<std::size_t>(b)];

@@ -20,8 +20,8 @@ class NodeProducts {
                 Eigen::VectorXd& second_z) const;
 
  private:
-  std::vector<int> column_start_, row_;             // (n + 1), (blocks): the first block of a column is its diagonal
-  Eigen::Array<double, 4, Eigen::Dynamic> blocks_;  // (4, 2 blocks): first and second in turn, column by column
+  std::vector<int> column_start_, row_;              // (n + 1), (blocks): the first block of a column is its diagonal
+  Eigen::Matrix<double, 4, Eigen::Dynamic> blocks_;  // (4, 2 blocks): first and second in turn, column by column
 };
 
 }  // namespace sunder::numerics
