@@ -24,7 +24,9 @@ std::string DynamicRun::identity() const {
   StepLoad load;
   for (long long n = 0; n <= steps; ++n) {
     around_->load_at(n, body_.dead_load, load);
-    samples.col(n) << load.ground, load.force.sum();
+    samples(0, n) = load.ground.x();
+    samples(1, n) = load.ground.y();
+    samples(2, n) = load.force.sum();
   }
   return run_identity(step_->equations(), body_.dead_load, samples);
 }
