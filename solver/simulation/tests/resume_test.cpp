@@ -116,7 +116,8 @@ TEST_F(Resume, GivesTheSameBitsAsARunInOnePiece) {
 
 TEST_F(Resume, RefusesWhatIsNotItsOwn) {
   EXPECT_NE(refusal({}).find("is not there"), std::string::npos);
-  EXPECT_NE(refusal({{"output.checkpoint_every", "0"}}).find("a run without checkpoints cannot be taken up again"), std::string::npos);
+  EXPECT_NE(refusal({{"output.checkpoint_every", "0"}}).find("a run without checkpoints cannot be taken up again"),
+            std::string::npos);
   ASSERT_FALSE(interrupted(0.3).completed());
   EXPECT_NE(refusal({{"material.youngs_modulus", "26e9"}}).find("belongs to another run"), std::string::npos);
   EXPECT_NE(refusal({{"ground_motion.vertical_scale", "0.5"}}).find("belongs to another run"), std::string::npos);
