@@ -54,6 +54,8 @@ CommandLine parse_command_line(std::span<const std::string> words) {
       ->type_name("N")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  run.add_flag("--resume", arguments.resume,
+               "Go on from the checkpoint of an interrupted run in the output folder (output.checkpoint_every)");
   run.add_option("--picture", arguments.picture,
                  "Draw the mesh as the run has left it, with the cracks as they have grown")
       ->type_name("FILE.svg");

@@ -23,6 +23,7 @@ struct Arguments {
   std::optional<std::filesystem::path> cache;    ///< run: folder for responses of unbounded rock; absent: none kept
   int threads = 1;                               ///< >= 1; absent on the line: one a core
   bool quiet = false;
+  bool resume = false;    ///< run: from the checkpoint in the output folder
   bool markdown = false;  ///< keys: as the documentation has them
 };
 

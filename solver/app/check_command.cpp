@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <ostream>
 
@@ -6,6 +8,7 @@
 #include "solver/app/scene_place.hpp"
 #include "solver/mesh/picture.hpp"
 #include "solver/results/atomic_file.hpp"
+#include "solver/simulation/shaking.hpp"
 
 namespace sunder::app {
 namespace {
@@ -25,8 +28,32 @@ std::string parts_of(const scene::Scene& scene) {
   count(scene.supports.size(), "support");
   count(scene.loads.size(), "load");
   if (scene.gravity) add("gravity");
+  if (scene.reservoir) add("reservoir");
+  if (scene.foundation) add("foundation");
+  if (scene.contact) add("contact");
+  if (scene.crack_water) add("crack water");
+  if (scene.propagation) add("growth");
+  if (scene.ground_motion) add("ground motion");
   if (scene.modal) add(std::to_string(scene.modal->count) + " natural frequencies");
   if (scene.output && scene.output->fields_every > 0) add("fields");
+  return text;
+}
+
+/// One line a component; throws scene::SceneError where a record cannot be used.
+std::string records_of(const scene::Scene& scene) {
+  const simulation::Shaking shaking = simulation::shaking_of(scene);
+  std::string text;
+  const auto add = [&text](const char* component, const std::optional<dynamics::GroundMotion>& motion, double scale) {
+    if (!motion) return;
+    double peak = 0.0;
+    for (const double value : motion->acceleration) peak = std::max(peak, std::abs(scale * value));
+    char line[128];
+    std::snprintf(line, sizeof line, "  %-11s %zu samples, %g ... %g s, peak %.4g m/s2\n", component,
+                  motion->acceleration.size(), motion->start, motion->end(), peak);
+    text += line;
+  };
+  add("horizontal", shaking.horizontal, shaking.horizontal_scale);
+  add("vertical", shaking.vertical, shaking.vertical_scale);
   return text;
 }
 
@@ -47,6 +74,7 @@ int check_command(const Arguments& arguments, const Console& console, const Solv
                 << " segments, no mesh\nusable; nothing was run" << std::endl;
     return completed;
   }
+  const std::string records = records_of(scene);
   Plan plan;
   at_its_place(scene, [&] { plan = solver.plan(scene); });
   if (arguments.picture) {
@@ -62,6 +90,7 @@ int check_command(const Arguments& arguments, const Console& console, const Solv
               << '\n';
   for (const auto& [name, edges] : plan.polygons.boundaries)
     console.out << "  boundary    " << name << ": " << edges.size() << " edges\n";
+  console.out << records;
   if (arguments.picture) console.out << "  picture     " << arguments.picture->string() << '\n';
   console.out << "usable; nothing was run" << std::endl;
   return completed;

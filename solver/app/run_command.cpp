@@ -71,7 +71,8 @@ int run_command(const Arguments& arguments, const Console& console, const Solver
             },
         .stop = &watch.stop(),
         .cache = arguments.cache.value_or(fs::path()),
-        .output = folder};
+        .output = folder,
+        .resume = arguments.resume};
     at_its_place(scene, [&] { summary = solver.run(scene, options); });
   }
   results::stop_if_not_finite(summary);

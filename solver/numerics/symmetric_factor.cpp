@@ -111,6 +111,7 @@ struct SymmetricFactor::Implementation {
     std::vector<int> order = fill_reducing_order(lower, options);
     cholmod_sparse view = view_of(lower);
     common.method[0].ordering = CHOLMOD_GIVEN;
+    if (options.layout == FactorLayout::columns) common.supernodal = CHOLMOD_SIMPLICIAL;
     factor = cholmod_analyze_p(&view, order.data(), nullptr, 0, &common);
   }
 

@@ -20,8 +20,13 @@ enum class FactorStatus {
 
 enum class Ordering { automatic, minimum_degree, nested_dissection };
 
+/// How the factor is kept: blocks of like columns for BLAS (fast to factorise), or column by column (fast to solve with
+/// one right-hand side again and again, where the factor is small).
+enum class FactorLayout { supernodal, columns };
+
 struct FactorOptions {
   Ordering ordering = Ordering::automatic;
+  FactorLayout layout = FactorLayout::supernodal;
   int block = 1;  ///< rows i·block … i·block + block - 1 belong to one node and share its sparsity pattern
 };
 

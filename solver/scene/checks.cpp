@@ -261,6 +261,20 @@ void check_propagation(const Node& document, const Scene& scene, Findings& findi
                    " [m], the diagonal of the body");
 }
 
+void check_checkpoints(const Node& document, const Scene& scene, Findings& findings) {
+  if (!scene.output || scene.output->checkpoint_every == 0) return;
+  const Origin origin = document.find("output")->find("checkpoint_every")->origin;
+  if (scene.analysis != Analysis::dynamic)
+    findings.add(origin, "output.checkpoint_every",
+                 "has no effect in analysis = \"" + std::string(word_of(scene.analysis)) + "\"; accepted: 0");
+  else if (!scene.cracks.empty())
+    findings.add(origin, "output.checkpoint_every",
+                 "a run with [[crack]] cannot be taken up again; accepted: 0, or a scene without cracks");
+  else if (scene.output->fields_every > 0)
+    findings.add(origin, "output.checkpoint_every",
+                 "fields cannot be taken up again; accepted: 0, or fields_every = 0");
+}
+
 /// What acts on crack faces needs a crack; resting water in it comes from a reservoir.
 void check_crack_faces(const Node& document, const Scene& scene, Findings& findings) {
   for (const char* table : {"contact", "crack_water"})
@@ -294,6 +308,7 @@ void check_together(const Node& document, const Scene& scene, Findings& findings
   check_propagation(document, scene, findings);
   if (scene.foundation) check_founded_boundary(document, scene, findings);
   check_crack_faces(document, scene, findings);
+  check_checkpoints(document, scene, findings);
   if (scene.analysis == Analysis::static_ && findings.count() == before) check_held(document, scene, findings);
 }
 

@@ -93,18 +93,43 @@ Table<GroundMotion> ground_motion_table() {
            key(&GroundMotion::vertical_scale, {.name = "vertical_scale", .meaning = "likewise"})}};
 }
 
+constexpr double most_steps = 1e7;  // a history of ten columns is 0.8 GB then
+
 void check_dynamics(const Node& node, Dynamics& dynamics, const std::string& path, Findings& findings) {
   if (dynamics.duration < dynamics.time_step)
     findings.add(node.find("duration")->origin, path + ".duration",
                  shown(dynamics.duration) + " is shorter than one time step; accepted: at least time_step");
+  if (dynamics.duration / dynamics.time_step > most_steps)
+    findings.add(node.find("duration")->origin, path + ".duration",
+                 shown(dynamics.duration) + " is " + shown(dynamics.duration / dynamics.time_step) +
+                     " steps; accepted: at most " + shown(most_steps) + " steps of time_step");
   if (dynamics.damping_modes[0] > dynamics.damping_modes[1])
-    findings.add(node.find("damping_modes")->origin, path + ".damping_modes",
-                 "accepted: two modes in ascending order, or one twice");
-  const bool needed = dynamics.integrator == Integrator::generalised_alpha;
-  if (needed && !dynamics.spectral_radius)
-    findings.add(node.origin, path + ".spectral_radius", "is missing; the generalised-alpha integrator needs it");
-  if (dynamics.integrator == Integrator::newmark && dynamics.spectral_radius)
+    findings.add(node.find("damping_modes")->origin, path + ".damping_modes", "accepted: modes in ascending order");
+  const Integrator integrator = dynamics.integrator;
+  const std::optional<double>& radius = dynamics.spectral_radius;
+  if (integrator != Integrator::newmark && !radius) {
+    const std::string name = integrator == Integrator::hht_alpha ? "hht-alpha" : "generalised-alpha";
+    findings.add(node.origin, path + ".spectral_radius", "is missing; the " + name + " integrator needs it");
+  }
+  if (integrator == Integrator::newmark && radius)
     findings.add(node.find("spectral_radius")->origin, path + ".spectral_radius", "the newmark integrator has none");
+  if (integrator == Integrator::hht_alpha && radius && *radius < 0.5)
+    findings.add(node.find("spectral_radius")->origin, path + ".spectral_radius",
+                 shown(*radius) + " is not accepted; accepted: a number 0.5 … 1 with the hht-alpha integrator");
+}
+
+/// Two modes, or one: twice the same then.
+void read_damping_modes(const Node& node, Dynamics& dynamics, const Reading& reading) {
+  std::array<int, 2>& modes = dynamics.damping_modes;
+  if (node.kind == Node::Kind::integer) {
+    read_value(node, modes[0], reading);
+  } else {
+    if (node.kind != Node::Kind::list || node.list.empty() || node.list.size() > 2)
+      return reading.wrong(node, "a whole number or a list of one or two");
+    read_value(node.list.front(), modes[0], reading.element(0));
+    if (node.list.size() == 2) return read_value(node.list[1], modes[1], reading.element(1));
+  }
+  modes[1] = modes[0];
 }
 
 Table<Dynamics> dynamics_table() {
@@ -122,14 +147,17 @@ Table<Dynamics> dynamics_table() {
                   {.name = "integrator", .meaning = "time integrator"}),
            key(&Dynamics::spectral_radius, {.name = "spectral_radius",
                                             .range = between(0.0, 1.0),
-                                            .meaning = "at infinite frequency, of the alpha integrators"}),
+                                            .meaning = "at infinite frequency, of the alpha integrators, which need "
+                                                       "it; hht-alpha: 0.5 … 1"}),
            key(&Dynamics::damping_ratio, {.name = "damping_ratio",
                                           .range = {.low = 0.0, .high = 1.0, .high_open = true},
                                           .meaning = "Rayleigh damping, matched at damping_modes"}),
-           key(&Dynamics::damping_modes,
-               {.name = "damping_modes",
-                .range = at_least(1),
-                .meaning = "counted from 1, ascending; one mode twice: damping by the stiffness alone"})},
+           Key<Dynamics>{{.name = "damping_modes",
+                          .range = at_least(1),
+                          .meaning = "counted from 1, ascending; one alone: damping proportional to the stiffness",
+                          .default_value = "[1, 2]"},
+                         "whole number, or list of one or two",
+                         read_damping_modes}},
           check_dynamics};
 }
 
@@ -164,7 +192,12 @@ Table<Output> output_table() {
            key(&Output::profile_times, {.name = "profile_times",
                                         .unit = "s",
                                         .meaning = "analysis = \"dynamic\": pressure and opening along the cracks at "
-                                                   "the steps nearest to these"})}};
+                                                   "the steps nearest to these"}),
+           key(&Output::checkpoint_every,
+               {.name = "checkpoint_every",
+                .range = at_least(0),
+                .meaning = "analysis = \"dynamic\" without cracks and fields: steps between checkpoints, from which "
+                           "`sunder run --resume` goes on to the same bits; 0: none"})}};
 }
 
 }  // namespace

@@ -57,9 +57,9 @@ struct Dynamics {
   double time_step;  ///< [s], > 0
   double duration;   ///< [s], > 0
   Integrator integrator = Integrator::newmark;
-  std::optional<double> spectral_radius;   ///< at infinite frequency [-], 0 … 1; needed by generalised-alpha only
-  double damping_ratio = 0.05;             ///< Rayleigh damping at both `damping_modes` [-], >= 0, < 1
-  std::array<int, 2> damping_modes{1, 2};  ///< counted from 1, ascending
+  std::optional<double> spectral_radius;  ///< at infinite frequency [-]; alpha integrators only: 0 … 1, hht-alpha ½ … 1
+  double damping_ratio = 0.05;            ///< Rayleigh damping at both `damping_modes` [-], >= 0, < 1
+  std::array<int, 2> damping_modes{1, 2};  ///< counted from 1, ascending; twice the same: β K alone, matched there
 };
 
 struct Response {
@@ -72,6 +72,7 @@ struct Response {
 struct Output {
   int fields_every = 0;               ///< steps between field snapshots; 0: none
   std::vector<double> profile_times;  ///< [s]: the water's pressure along the cracks at these, analysis = "dynamic"
+  int checkpoint_every = 0;           ///< steps between checkpoints of a dynamic run; 0: none
 };
 
 }  // namespace sunder::scene

@@ -11,16 +11,14 @@
 namespace sunder::simulation {
 namespace {
 
-constexpr double usual_spectral_radius = 0.9;  // little damping of what the step resolves
-
 dynamics::TimeScheme scheme_of(const scene::Dynamics& wanted) {
   switch (wanted.integrator) {
     case scene::Integrator::newmark:
       return dynamics::newmark();
     case scene::Integrator::hht_alpha:
-      return dynamics::hht_alpha(wanted.spectral_radius.value_or(usual_spectral_radius));
+      return dynamics::hht_alpha(wanted.spectral_radius.value());
     case scene::Integrator::generalised_alpha:
-      return dynamics::generalised_alpha(wanted.spectral_radius.value_or(usual_spectral_radius));
+      return dynamics::generalised_alpha(wanted.spectral_radius.value());
   }
   return dynamics::newmark();
 }

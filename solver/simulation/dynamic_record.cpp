@@ -110,6 +110,21 @@ void DynamicRecord::add(const StepRecord& step, const Energies& energies) {
   }
 }
 
+void DynamicRecord::read_rows(std::span<const double> rows) {
+  const std::size_t width = history_.columns().size();
+  for (; rows.size() >= width; rows = rows.subspan(width)) {
+    std::size_t next = 0;
+    StepRecord step;
+    Energies energies;
+    for (double* value : {&step.time, &step.crest.x(), &step.crest.y()}) *value = rows[next++];
+    if (parts_.media) step.hydrodynamic_force = rows[next++];
+    for (double* value : {&energies.kinetic, &energies.strain, &energies.damped, &energies.input, &energies.load})
+      *value = rows[next++];
+    if (parts_.media) energies.radiated = rows[next++];
+    add(step, energies);
+  }
+}
+
 void DynamicRecord::write(Quantity& quantities) const {
   if (!begun_) return;
   quantities["peak_crest_displacement"] = std::abs(peak_crest_);

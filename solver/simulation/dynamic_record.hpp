@@ -2,6 +2,7 @@
 /// What a dynamic run remembers of each step: the columns of history.csv and the extremes of the summary.
 
 #include <Eigen/Core>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,9 @@ class DynamicRecord {
   void add(const StepRecord& step, const Energies& energies);
   /// Peaks over all steps so far, by the names that scenes define.
   void write(results::Quantity& quantities) const;
+  const results::History& history() const { return history_; }
+  /// Goes on after the rows that another record of the same run, without cracks, had in its history.
+  void read_rows(std::span<const double> rows);
   results::History take_history() { return std::move(history_); }
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
 /// A dynamic run under way: rest, steps, growth, and what is remembered of them. Private to run_dynamic.cpp,
-/// dynamic_growth.cpp and dynamic_output.cpp.
+/// dynamic_growth.cpp, dynamic_output.cpp and dynamic_checkpoint.cpp.
 
 #include <memory>
 #include <optional>
@@ -39,6 +39,14 @@ class DynamicRun {
   CrackRecord observe_crack(std::size_t crack, Eigen::Index first_pair) const;
   FaceMemory remembered(const DynamicBody& before) const;
   bool held_closed(std::size_t crack) const;
+  // dynamic_checkpoint.cpp
+  bool has_checkpoints() const;
+  bool wants_checkpoint(long long number) const;
+  std::string identity() const;
+  void note_felt();
+  void keep();
+  void go_on();
+
   void note_event(std::size_t crack, const std::string& what, const mesh::Point& place);
   results::Quantity profile_of(std::size_t crack, Eigen::Index first_pair) const;
   void note_profiles();
@@ -70,6 +78,8 @@ class DynamicRun {
   std::vector<Eigen::VectorXd> media_before_;
   Eigen::VectorXd released_;  // what held the new faces together; empty but in the step after a growth event
   std::vector<fracture::SpeedAllowance> allowances_;
+  std::vector<double> felt_;  // by the media in all steps, where checkpoints are wanted
+  std::string identity_;      // likewise
 
   // what is remembered
   EnergyAccount energy_;

@@ -5,26 +5,32 @@
 namespace sunder::simulation {
 
 void EnergyAccount::measure(const StepEquations& equations, const MotionState& state) {
-  Ku_.noalias() = equations.stiffness().selfadjointView<Eigen::Lower>() * state.displacement;
-  Mv_.noalias() = equations.mass().selfadjointView<Eigen::Lower>() * state.velocity;
-  energies_.strain = 0.5 * state.displacement.dot(Ku_);
-  energies_.kinetic = 0.5 * state.velocity.dot(Mv_);
+  equations.multiply(state.displacement, state.velocity, Ku_, Mv_);
+  memory_.energies.strain = 0.5 * state.displacement.dot(Ku_);
+  memory_.energies.kinetic = 0.5 * state.velocity.dot(Mv_);
+}
+
+void EnergyAccount::go_on(const StepEquations& equations, const MotionState& state, const EnergyMemory& memory) {
+  memory_ = memory;
+  begin_with(equations, state);
+}
+
+void EnergyAccount::begin_with(const StepEquations& equations, const MotionState& state) {
+  const Eigen::Index dofs = state.displacement.size();
+  for (Eigen::VectorXd* values : {&Ku_, &Mv_, &Ku_before_, &Mv_before_, &moved_}) values->setZero(dofs);
+  measure(equations, state);
 }
 
 void EnergyAccount::begin(const StepEquations& equations, const MotionState& state) {
-  const Eigen::Index dofs = state.displacement.size();
-  for (Eigen::VectorXd* values : {&Ku_, &Mv_, &Ku_before_, &Mv_before_, &moved_}) values->setZero(dofs);
-  measure(equations, state);
-  begun_with_ = energies_.stored();
-  largest_ = energies_.stored();
+  begin_with(equations, state);
+  memory_.begun_with = memory_.energies.stored();
+  memory_.largest = memory_.energies.stored();
 }
 
 void EnergyAccount::grow(const StepEquations& equations, const MotionState& state) {
-  const double before = energies_.stored();
-  const Eigen::Index dofs = state.displacement.size();
-  for (Eigen::VectorXd* values : {&Ku_, &Mv_, &Ku_before_, &Mv_before_, &moved_}) values->setZero(dofs);
-  measure(equations, state);
-  energies_.growth += energies_.stored() - before;
+  const double before = memory_.energies.stored();
+  begin_with(equations, state);
+  memory_.energies.growth += memory_.energies.stored() - before;
 }
 
 void EnergyAccount::add(const StepEquations& equations, const MotionState& from, const MotionState& to,
@@ -37,20 +43,22 @@ void EnergyAccount::add(const StepEquations& equations, const MotionState& from,
   measure(equations, to);
   moved_ = to.displacement - from.displacement;
   // C Δu / Δt with M Δu = Δt (M v + M v') / 2, exact for average acceleration
-  energies_.damped +=
+  memory_.energies.damped +=
       moved_.dot(0.5 * damping.of_mass * (Mv_before_ + Mv_)) + moved_.dot(Ku_ - Ku_before_) * damping.of_stiffness / dt;
-  energies_.input -= 0.5 * equations.work_of_ground(moved_, start.ground + end.ground);
-  energies_.load += 0.5 * moved_.dot(start.force + end.force);
+  memory_.energies.input -= 0.5 * equations.work_of_ground(moved_, start.ground + end.ground);
+  memory_.energies.load += 0.5 * moved_.dot(start.force + end.force);
   for (std::size_t m = 0; m < media_before.size(); ++m) {
-    energies_.radiated += 0.5 * equations.work_on_medium(m, moved_, media_before[m]);
+    memory_.energies.radiated += 0.5 * equations.work_on_medium(m, moved_, media_before[m]);
   }
-  if (released.size() > 0) energies_.growth += 0.5 * moved_.dot(released);
-  energies_.contact += faces.contact;
-  energies_.water += faces.water;
-  const double came_in = energies_.input + energies_.load + energies_.contact + energies_.water + energies_.growth -
-                         energies_.damped - energies_.radiated;
-  worst_error_ = std::fmax(worst_error_, std::abs(energies_.stored() - begun_with_ - came_in));
-  largest_ = std::fmax(largest_, std::fmax(energies_.stored(), std::abs(energies_.input)));
+  if (released.size() > 0) memory_.energies.growth += 0.5 * moved_.dot(released);
+  memory_.energies.contact += faces.contact;
+  memory_.energies.water += faces.water;
+  const double came_in = memory_.energies.input + memory_.energies.load + memory_.energies.contact +
+                         memory_.energies.water + memory_.energies.growth - memory_.energies.damped -
+                         memory_.energies.radiated;
+  memory_.worst_error =
+      std::fmax(memory_.worst_error, std::abs(memory_.energies.stored() - memory_.begun_with - came_in));
+  memory_.largest = std::fmax(memory_.largest, std::fmax(memory_.energies.stored(), std::abs(memory_.energies.input)));
 }
 
 }  // namespace sunder::simulation

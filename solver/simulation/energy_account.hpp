@@ -35,6 +35,12 @@ struct FaceWork {
   double contact = 0.0, water = 0.0;  ///< of the step [J/m]
 };
 
+/// What the account remembers beside the motion.
+struct EnergyMemory {
+  Energies energies;
+  double begun_with = 0.0, worst_error = 0.0, largest = 0.0;  ///< [J/m]
+};
+
 class EnergyAccount {
  public:
   /// Begins with the stored energy of `state`.
@@ -51,15 +57,19 @@ class EnergyAccount {
   /// A growth event has changed the stored energy to that of `state` in the new equations.
   void grow(const StepEquations& equations, const MotionState& state);
 
-  const Energies& energies() const { return energies_; }
+  const EnergyMemory& memory() const { return memory_; }
+  /// Goes on from what another account of the same run remembered at `state`.
+  void go_on(const StepEquations& equations, const MotionState& state, const EnergyMemory& memory);
+
+  const Energies& energies() const { return memory_.energies; }
   /// Stored energy less what came in, as a fraction of the largest energy so far.
-  double balance_error() const { return largest_ > 0.0 ? worst_error_ / largest_ : 0.0; }
+  double balance_error() const { return memory_.largest > 0.0 ? memory_.worst_error / memory_.largest : 0.0; }
 
  private:
+  void begin_with(const StepEquations& equations, const MotionState& state);
   void measure(const StepEquations& equations, const MotionState& state);
 
-  Energies energies_;
-  double begun_with_ = 0.0, worst_error_ = 0.0, largest_ = 0.0;
+  EnergyMemory memory_;
   Eigen::VectorXd Ku_, Mv_, Ku_before_, Mv_before_, moved_;
 };
 

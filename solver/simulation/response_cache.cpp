@@ -69,6 +69,10 @@ std::string fault_of(const std::string& bytes, const CacheKey& key) {
 
 }  // namespace
 
+std::string fingerprint(std::string_view bytes) {
+  return hexadecimal(hash(bytes)) + hexadecimal(hash(bytes, 0x9e3779b97f4a7c15ULL));
+}
+
 void CacheKey::add(double value) {
   append_bytes(bytes_, value);
 }
@@ -84,7 +88,7 @@ void CacheKey::add(const Eigen::Ref<const Eigen::MatrixXd>& values) {
 }
 
 std::string CacheKey::file_name() const {
-  return hexadecimal(hash(bytes_)) + hexadecimal(hash(bytes_, 0x9e3779b97f4a7c15ULL)) + ".weights";
+  return fingerprint(bytes_) + ".weights";
 }
 
 CachedWeights read_weights(const std::filesystem::path& folder, const CacheKey& key) {

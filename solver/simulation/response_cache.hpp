@@ -15,6 +15,9 @@
 
 namespace sunder::simulation {
 
+/// 32 hexadecimal digits for bytes: two hashes of them.
+[[nodiscard]] std::string fingerprint(std::string_view bytes);
+
 /// Gathers the bytes of a key, each value to its last bit.
 class CacheKey {
  public:
@@ -24,7 +27,7 @@ class CacheKey {
   void add(const Eigen::Ref<const Eigen::MatrixXd>& values);
 
   const std::string& bytes() const { return bytes_; }
-  std::string file_name() const;  ///< 32 hexadecimal digits and ".weights"
+  std::string file_name() const;  ///< fingerprint and ".weights"
 
  private:
   std::string bytes_;

@@ -20,7 +20,8 @@ struct RunOptions {
   const std::atomic<bool>* stop = nullptr;           ///< set to end the run early, with what was reached
   std::filesystem::path cache = {};   ///< where responses of the rock are kept between runs; empty: nowhere
   std::filesystem::path output = {};  ///< where fields go (results.h5) while the run goes on; needed by a scene that
-                                      ///< asks for them, else nothing is written
+                                      ///< asks for them, else nothing is written; likewise checkpoints
+  bool resume = false;                ///< go on from the checkpoint in `output`
 };
 
 /// Runs the scene. Throws mesh::MeshError or scene::SceneError where the scene cannot be used, and

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "solver/simulation/analyses.hpp"
+#include "solver/simulation/checkpoint.hpp"
 #include "solver/simulation/dynamic_run.hpp"
 #include "solver/simulation/static_start.hpp"
 
@@ -143,6 +144,7 @@ bool DynamicRun::step(long long number) {
   std::swap(start_, end_);
   number_ = number;
   state_.time = around_->time_at(number);
+  note_felt();
   if (step_->faces() != nullptr) {
     const faces::FaceStepResult& result = step_->faces()->result();
     ledger_.count("face_iterations", result.iterations);
@@ -188,14 +190,19 @@ void DynamicRun::go() {
                                                           .water = scene_.crack_water.has_value(),
                                                           .propagation = scene_.propagation.has_value()},
                                             static_cast<std::size_t>(steps));
-  now_ = observe();
-  record_->add(now_, energy_.energies());
-  write_fields();
+  if (options_.resume) {
+    go_on();
+  } else {
+    now_ = observe();
+    record_->add(now_, energy_.energies());
+    write_fields();
+  }
   {
     const Ledger::Visit visit(ledger_, "dynamics", "steps");
-    for (long long number = 1; number <= steps; ++number) {
+    for (long long number = number_ + 1; number <= steps; ++number) {
       if (options_.stop != nullptr && options_.stop->load()) {
         stop("interrupted at " + time_text());
+        if (has_checkpoints()) keep();
         break;
       }
       if (!step(number)) break;
@@ -204,12 +211,14 @@ void DynamicRun::go() {
       note_profiles();
       write_fields();
       ledger_.count("steps");
+      if (wants_checkpoint(number)) keep();
       if (scene_.propagation && number < steps && !grow_cracks()) break;
       if (!end_event_.empty()) break;
       if (options_.progress && number % 16 == 0)
         options_.progress("steps", static_cast<double>(number) / static_cast<double>(steps));
     }
   }
+  if (has_checkpoints() && summary_.completed()) std::filesystem::remove(checkpoint_file(options_.output));
   finish();
 }
 

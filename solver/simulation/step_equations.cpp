@@ -55,6 +55,7 @@ StepEquations::StepEquations(const SparseMatrix& stiffness, const SparseMatrix& 
       stiffness_(stiffness),
       mass_(mass),
       constraints_(&constraints),
+      products_(stiffness, mass),
       media_(media.begin(), media.end()),
       factor_(matrix_of_step(stiffness, mass, constraints, media, options), {.block = 2}) {
   const Index dofs = stiffness.rows();
@@ -64,7 +65,11 @@ StepEquations::StepEquations(const SparseMatrix& stiffness, const SparseMatrix& 
     for (Index dof = component; dof < dofs; dof += 2) direction[dof] = 1.0;
     ground_mass_.row(component) = (mass_.selfadjointView<Eigen::Lower>() * direction).transpose();
   }
-  for (VectorXd* values : {&d_, &with_mass_, &with_stiffness_, &velocity_part_, &right_}) values->setZero(dofs);
+  for (VectorXd* values : {&d_, &with_mass_, &with_stiffness_, &velocity_part_, &right_, &of_mass_, &of_stiffness_})
+    values->setZero(dofs);
+  for (int dof = 0; dof < static_cast<int>(dofs); ++dof) {
+    if (constraints.fixed[static_cast<std::size_t>(dof)]) held_.push_back(dof);
+  }
   for (const AttachedMedium* medium : media_) {
     const Index n = std::ssize(medium->dofs);
     for (std::vector<VectorXd>* list : {&histories_, &medium_forces_, &medium_work_})
@@ -73,16 +78,12 @@ StepEquations::StepEquations(const SparseMatrix& stiffness, const SparseMatrix& 
 }
 
 void StepEquations::hold(VectorXd& values) const {
-  for (Index dof = 0; dof < values.size(); ++dof) {
-    if (constraints_->fixed[static_cast<std::size_t>(dof)]) values[dof] = 0.0;
-  }
+  for (const int dof : held_) values[dof] = 0.0;
 }
 
 Eigen::MatrixXd StepEquations::answer(const SparseMatrix& loads) const {
   Eigen::MatrixXd X = (1.0 - options_.scheme.alpha_f) * Eigen::MatrixXd(loads);
-  for (Index dof = 0; dof < X.rows(); ++dof) {
-    if (constraints_->fixed[static_cast<std::size_t>(dof)]) X.row(dof).setZero();
-  }
+  for (const int dof : held_) X.row(dof).setZero();
   if (X.cols() > 0) factor_.solve_in_place(X);
   return X;
 }
@@ -139,8 +140,8 @@ const VectorXd& StepEquations::trial(const MotionState& state, const StepLoad& s
   right_ = (1.0 - af) * end.force + af * start.force;
   const Eigen::Vector2d ground = ground_sign * ((1.0 - af) * end.ground + af * start.ground);
   right_.noalias() -= ground_mass_.transpose() * ground;
-  right_.noalias() -= mass_.selfadjointView<Eigen::Lower>() * with_mass_;
-  right_.noalias() -= stiffness_.selfadjointView<Eigen::Lower>() * with_stiffness_;
+  products_.multiply(with_stiffness_, with_mass_, of_stiffness_, of_mass_);
+  right_ -= of_stiffness_ + of_mass_;
   for (std::size_t m = 0; m < media_.size(); ++m) {
     const AttachedMedium& medium = *media_[m];
     VectorXd& history = histories_[m];

@@ -15,6 +15,7 @@
 
 #include "solver/dynamics/rayleigh.hpp"
 #include "solver/dynamics/time_scheme.hpp"
+#include "solver/numerics/node_products.hpp"
 #include "solver/numerics/symmetric_factor.hpp"
 #include "solver/simulation/attached_medium.hpp"
 #include "solver/simulation/constraints.hpp"
@@ -76,7 +77,12 @@ class StepEquations {
 
   const Eigen::SparseMatrix<double>& stiffness() const { return stiffness_; }  ///< lower, as given
   const Eigen::SparseMatrix<double>& mass() const { return mass_; }            ///< lower, as given
+  /// Ku = K u, Mv = M v (dofs) in one pass; results must not be operands. Allocates nothing where they have their size.
+  void multiply(const Eigen::VectorXd& u, const Eigen::VectorXd& v, Eigen::VectorXd& Ku, Eigen::VectorXd& Mv) const {
+    products_.multiply(u, v, Ku, Mv);
+  }
   const Constraints& constraints() const { return *constraints_; }
+  std::span<const AttachedMedium* const> media() const { return media_; }
 
   /// M r a_g (dofs) [N/m].
   Eigen::VectorXd ground_load(const Eigen::Vector2d& ground) const { return ground_mass_.transpose() * ground; }
@@ -96,10 +102,12 @@ class StepEquations {
   StepOptions options_;
   Eigen::SparseMatrix<double> stiffness_, mass_;
   const Constraints* constraints_;
+  std::vector<int> held_;  // the prescribed dofs
+  numerics::NodeProducts products_;
   std::vector<const AttachedMedium*> media_;
   numerics::SymmetricFactor factor_;
   Eigen::Matrix2Xd ground_mass_;  // (2, dofs): M r_x, M r_y
-  Eigen::VectorXd d_, with_mass_, with_stiffness_, velocity_part_, right_;
+  Eigen::VectorXd d_, with_mass_, with_stiffness_, velocity_part_, right_, of_mass_, of_stiffness_;
   std::vector<Eigen::VectorXd> histories_, medium_forces_, medium_work_;
 };
 

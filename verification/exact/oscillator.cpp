@@ -8,6 +8,32 @@ namespace sunder::exact {
 
 using std::numbers::pi;
 
+namespace {
+
+/// u'' + 2 ζ φ u' + φ² u = φ² with Δt = 1, from rest, by the scheme of second order with the largest damping of high
+/// frequencies [Chung & Hulbert 1993, Eqs. (17), (18)]: u after `steps`.
+double march(double alpha_m, double alpha_f, double phase, double damping_ratio, int steps) {
+  const double sum = 1.0 - alpha_m + alpha_f, beta = 0.25 * sum * sum, gamma = sum - 0.5;
+  const double stiffness = phase * phase, damping = 2.0 * damping_ratio * phase, force = stiffness;
+  double u = 0.0, v = 0.0, a = force;
+  for (int n = 0; n < steps; ++n) {
+    const double u_known = u + v + (0.5 - beta) * a, v_known = v + (1.0 - gamma) * a;
+    const double rest = force - alpha_m * a - damping * ((1.0 - alpha_f) * v_known + alpha_f * v) -
+                        stiffness * ((1.0 - alpha_f) * u_known + alpha_f * u);
+    a = rest / (1.0 - alpha_m + (1.0 - alpha_f) * (gamma * damping + beta * stiffness));
+    u = u_known + beta * a;
+    v = v_known + gamma * a;
+  }
+  return u;
+}
+
+/// u_g of u_g'' = sin(Ω t) from rest; 0 before.
+double sine_ground(double forcing, double time) {
+  return time > 0.0 ? time / forcing - std::sin(forcing * time) / (forcing * forcing) : 0.0;
+}
+
+}  // namespace
+
 Motion free_oscillator(double omega, double damping_ratio, Motion start, double time) {
   const double decay = damping_ratio * omega, damped = omega * std::sqrt(1.0 - damping_ratio * damping_ratio);
   const double c = std::cos(damped * time), s = std::sin(damped * time), e = std::exp(-decay * time);
@@ -64,6 +90,22 @@ double rod_free_end(double amplitude, double duration, double length, double spe
     total += sign * smooth_pulse(amplitude, duration, time - arrival);
   }
   return total - smooth_pulse(amplitude, duration, time);
+}
+
+double shaken_rod_free_end(double transit, double forcing, double time) {
+  double total = 0.0, sign = 2.0;
+  for (double arrival = transit; arrival < time; arrival += 2.0 * transit, sign = -sign) {
+    total += sign * sine_ground(forcing, time - arrival);
+  }
+  return total - sine_ground(forcing, time);
+}
+
+double hht_alpha_step_response(double radius, double phase, double damping_ratio, int steps) {
+  return march(0.0, (1.0 - radius) / (1.0 + radius), phase, damping_ratio, steps);
+}
+
+double generalised_alpha_step_response(double radius, double phase, double damping_ratio, int steps) {
+  return march((2.0 * radius - 1.0) / (radius + 1.0), radius / (radius + 1.0), phase, damping_ratio, steps);
 }
 
 }  // namespace sunder::exact

@@ -30,4 +30,12 @@ double smooth_pulse_acceleration(double amplitude, double duration, double time)
 /// end, after d'Alembert: u = 2 Σ (-1)^k g(t - (2k + 1) L / c) - g(t).
 double rod_free_end(double amplitude, double duration, double length, double speed, double time);
 
+/// The same rod on ground whose acceleration is sin(Ω t) [m/s²] from t = 0; waves take `transit` [s] from end to end.
+double shaken_rod_free_end(double transit, double forcing, double time);
+
+/// What a scheme with numerical damping makes of u'' + 2 ζ ω u' + ω² u = ω² from rest after `steps` steps of ω Δt =
+/// `phase`: [Chung & Hulbert 1993, Eqs. (2)-(5)] for one unknown, solved for the acceleration. `radius` at infinity.
+double hht_alpha_step_response(double radius, double phase, double damping_ratio, int steps);
+double generalised_alpha_step_response(double radius, double phase, double damping_ratio, int steps);
+
 }  // namespace sunder::exact

@@ -15,10 +15,12 @@
 namespace sunder::verification {
 namespace {
 
-/// The natural number that a function of natural numbers was given.
+/// The natural number that a function of natural numbers was given; but for the round-off of a quotient.
 int natural(double x) {
-  if (!(x >= 0.0 && x <= 1e6) || x != std::floor(x)) throw std::invalid_argument("a natural number is needed");
-  return static_cast<int>(x);
+  constexpr double round_off = 1e-9;
+  if (!(x >= 0.0 && x <= 1e6) || std::abs(x - std::round(x)) > round_off * (1.0 + x))
+    throw std::invalid_argument("a natural number is needed");
+  return static_cast<int>(std::lround(x));
 }
 
 exact::MovingCrack moving_crack(std::span<const double> x) {
@@ -98,6 +100,13 @@ const std::vector<NumberFunction>& number_functions() {
        [](Numbers x) { return exact::ramped_oscillator(x[0], x[1], x[2], x[3], x[4]).displacement; }},
       // amplitude [m] and duration [s] of the base's pulse, length [m], wave speed [m/s], time [s]
       {"rod_free_end", 5, [](Numbers x) { return exact::rod_free_end(x[0], x[1], x[2], x[3], x[4]); }},
+      // transit [s], forcing [1/s], time [s]
+      {"shaken_rod_free_end", 3, [](Numbers x) { return exact::shaken_rod_free_end(x[0], x[1], x[2]); }},
+      // spectral radius, omega dt, damping ratio, steps
+      {"hht_alpha_step_response", 4,
+       [](Numbers x) { return exact::hht_alpha_step_response(x[0], x[1], x[2], natural(x[3])); }},
+      {"generalised_alpha_step_response", 4,
+       [](Numbers x) { return exact::generalised_alpha_step_response(x[0], x[1], x[2], natural(x[3])); }},
       // rigid disc in the plane: Poisson's ratio, omega r / c_s
       {"rigid_disc_translation_re", 2, [](Numbers x) { return exact::rigid_disc_translation(x[0], x[1]).real(); }},
       {"rigid_disc_translation_im", 2, [](Numbers x) { return exact::rigid_disc_translation(x[0], x[1]).imag(); }},

@@ -68,6 +68,9 @@ void run_once(const Study& study, const StudyInput& input, SettingRun& run) {
   if (const std::string bad = not_finite(run.output.summary.quantities, ""); !bad.empty()) {
     run.row.status = Status::wrong_value;
     run.row.message = bad + " is not a finite number";
+  } else if (const auto& history = run.output.summary.history; history && !results::not_finite(*history).empty()) {
+    run.row.status = Status::wrong_value;
+    run.row.message = "history: " + results::not_finite(*history).front() + " is not a finite number";
   }
 }
 

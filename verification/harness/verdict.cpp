@@ -273,6 +273,21 @@ void judge_order(const Case& verification_case, const Check& check, std::vector<
   }
 }
 
+/// What `path` names of the run's history: "time", a column from its first row to its last, or "time[3]".
+Values of_history(const results::RunSummary& summary, std::string_view path) {
+  if (!summary.history) throw std::invalid_argument("the run has no history");
+  const results::History& history = *summary.history;
+  const std::string_view wanted = path.substr(0, path.find('['));
+  results::Quantity columns;
+  for (std::size_t c = 0; c < history.columns().size(); ++c) {
+    const std::string& name = history.columns()[c].name;
+    std::vector<double> values;  // only of the column that is asked for
+    for (std::size_t row = 0; name == wanted && row < history.rows(); ++row) values.push_back(history.at(row, c));
+    columns[name] = results::Quantity(values);
+  }
+  return select(columns, path);
+}
+
 }  // namespace
 
 Lookup lookup_of(const Case& verification_case, const SettingRun& run) {
@@ -296,6 +311,7 @@ Lookup lookup_of(const Case& verification_case, const SettingRun& run) {
     if (starts("counts."))
       for (const auto& [counted, count] : summary.counts)
         if (counted == name.substr(7)) return {static_cast<double>(count)};
+    if (starts("history.")) return of_history(summary, name.substr(8));
     return select(summary.quantities, name);
   };
 }

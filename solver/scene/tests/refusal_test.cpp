@@ -313,10 +313,16 @@ const Spoilt later[] = {
     {"radius needless", dynamic_scene, "generalised-alpha", "newmark",
      "dam.toml:57:19: dynamics.spectral_radius: the newmark integrator has none"},
     {"damping modes", dynamic_scene, "[1, 3]", "[3, 1]",
-     "dam.toml:58:17: dynamics.damping_modes: accepted: two modes in ascending order, or one twice"},
+     "dam.toml:58:17: dynamics.damping_modes: accepted: modes in ascending order"},
     {"damping modes count", dynamic_scene, "[1, 3]", "[1, 2, 3]",
-     "dam.toml:58:17: dynamics.damping_modes: [1, 2, 3] is a list of 3; accepted: a list of 2 numbers >= 1 (counted "
-     "from 1, ascending; one mode twice: damping by the stiffness alone)"},
+     "dam.toml:58:17: dynamics.damping_modes: [1, 2, 3] is a list of 3; accepted: a whole number or a list of one or "
+     "two >= 1 (counted from 1, ascending; one alone: damping proportional to the stiffness)"},
+    {"radius of hht-alpha", dynamic_scene, "generalised-alpha\"\nspectral_radius = 0.8",
+     "hht-alpha\"\nspectral_radius = 0.4",
+     "dam.toml:57:19: dynamics.spectral_radius: 0.4 is not accepted; accepted: a number 0.5 … 1 with the hht-alpha "
+     "integrator"},
+    {"too many steps", dynamic_scene, "duration = 10\n", "duration = 1e6\n",
+     "dam.toml:55:12: dynamics.duration: 1e+06 is 1e+08 steps; accepted: at most 1e+07 steps of time_step"},
     {"damping ratio", dynamic_scene, "damping_modes = [1, 3]", "damping_ratio = 1",
      "dam.toml:58:17: dynamics.damping_ratio: 1 is not accepted; accepted: a number >= 0, < 1 (Rayleigh damping, "
      "matched at damping_modes)"},

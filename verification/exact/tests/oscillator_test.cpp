@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace sunder::exact {
 namespace {
@@ -69,6 +70,34 @@ TEST(Rod, PulseHasItsAcceleration) {
     // h²/12 times the fourth derivative, which stays below (2π)⁴ · 6
     EXPECT_NEAR(smooth_pulse_acceleration(1.0, 1.0, t), second, 1e-5);
   }
+}
+
+TEST(ShakenRod, MovesWithTheInverseGroundUntilTheFirstWaveAndIsTheSumOfItsModesAfterwards) {
+  const double forcing = 3.0;
+  EXPECT_EQ(shaken_rod_free_end(1.0, forcing, 0.9), -(0.9 / forcing - std::sin(forcing * 0.9) / (forcing * forcing)));
+  // fixed-free modes: participation 2 / κ, (-1)^n at the free end, κ = (n + ½) π; their terms fall like n^-4
+  for (const double t : {0.4, 1.7, 3.9}) {
+    double sum = 0.0;
+    for (int n = 0; n < 2000; ++n) {
+      const double k = (n + 0.5) * std::numbers::pi;
+      sum -= 2.0 / k * (n % 2 == 0 ? 1.0 : -1.0) * forced_oscillator(k, 0.0, 1.0, forcing, t).displacement;
+    }
+    EXPECT_NEAR(shaken_rod_free_end(1.0, forcing, t), sum, 1e-9) << t;
+  }
+}
+
+TEST(AlphaSchemes, NearTheStepResponseWithOrderTwo) {
+  const auto error = [](auto scheme, int steps) {
+    return std::abs(scheme(6.0 / steps, steps) - 36.0 * ramped_oscillator(6.0, 0.1, 1.0, 0.0, 1.0).displacement);
+  };
+  const auto hht = [](double phase, int n) { return hht_alpha_step_response(0.7, phase, 0.1, n); };
+  const auto alpha = [](double phase, int n) { return generalised_alpha_step_response(0.3, phase, 0.1, n); };
+  EXPECT_NEAR(error(hht, 400) / error(hht, 800), 4.0, 0.2);  // the next term is a few times the phase, 0.015
+  EXPECT_NEAR(error(alpha, 400) / error(alpha, 800), 4.0, 0.2);
+  // ρ = 1 is average acceleration for both, which the trapezoidal rule has in closed form
+  const double rule = 1.0 - trapezoidal_oscillator(0.4, 0.1, {1.0, 0.0}, 1.0, 50).displacement;
+  EXPECT_NEAR(hht_alpha_step_response(1.0, 0.4, 0.1, 50), rule, 1e-13);
+  EXPECT_NEAR(generalised_alpha_step_response(1.0, 0.4, 0.1, 50), rule, 1e-13);
 }
 
 }  // namespace
