@@ -70,7 +70,7 @@ def crack_paths(key, outline, paths, caption):
         near.set_xlim(min(xs) - 1.0, max(xs) + 2.0)
         near.set_ylim(middle - half, middle + half)
         whole.set_ylabel("y, m")
-        figure.legend(*near.get_legend_handles_labels(), loc="outside lower center", ncols=1, handlelength=2.2, borderaxespad=0.2)
+        near.legend(loc="upper right", bbox_to_anchor=(1.0, -0.2), ncols=1, handlelength=2.2, borderaxespad=0.2)
         return Figure(key, element(figure, key, caption), caption)
 
 

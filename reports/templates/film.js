@@ -26,8 +26,10 @@
     const mesh = meshes[data.mesh[i]], moved = numbers(data.moved[i], Int16Array), scale = data.displacement * data.exaggeration;
     const at = (p) => (mesh.points[2 * p] * data.length + moved[2 * p] * scale).toFixed(2) + " "
       + (-mesh.points[2 * p + 1] * data.length - moved[2 * p + 1] * scale).toFixed(2);
-    document.getElementById("film-inner").setAttribute("d", path(at, mesh.inner));
-    document.getElementById("film-outer").setAttribute("d", path(at, mesh.outer));
+    for (const part of ["inner", "outer"]) {
+      const drawn = path(at, mesh[part]);
+      for (const line of film.querySelectorAll("." + part)) line.setAttribute("d", drawn);
+    }
     film.querySelector(".water").setAttribute("d", pressure(data.water[i]));
     output.textContent = data.times[i].toFixed(2) + " s · crack " + data.lengths[i].toFixed(1) + " m";
     slider.setAttribute("aria-valuetext", output.textContent);
