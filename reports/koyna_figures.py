@@ -57,7 +57,8 @@ def crack_paths(key, outline, paths, caption):
     """The section with the cracks, and the cracks by themselves; `paths`: (name, [(x, y)])."""
     _require(key, [p for _, p in paths])
     with plt.rc_context(STYLE):
-        figure, (whole, near) = plt.subplots(1, 2, figsize=(SIZE[0], 3.0), layout="constrained", width_ratios=(1, 1.35))
+        figure, (whole, near) = plt.subplots(1, 2, figsize=(SIZE[0], 3.5), width_ratios=(1, 1.5))
+        figure.subplots_adjust(left=0.1, right=0.98, top=0.98, bottom=0.36, wspace=0.2)
         closed = [*outline, outline[0]]
         for axes in (whole, near):
             axes.plot(*zip(*closed), color=INK, linewidth=1.0)
@@ -70,7 +71,7 @@ def crack_paths(key, outline, paths, caption):
         near.set_xlim(min(xs) - 1.0, max(xs) + 2.0)
         near.set_ylim(middle - half, middle + half)
         whole.set_ylabel("y, m")
-        near.legend(loc="upper right", bbox_to_anchor=(1.0, -0.2), ncols=1, handlelength=2.2, borderaxespad=0.2)
+        figure.legend(*near.get_legend_handles_labels(), loc="lower center", ncols=1, handlelength=2.2, borderaxespad=0.4)
         return Figure(key, element(figure, key, caption), caption)
 
 
