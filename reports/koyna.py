@@ -104,8 +104,8 @@ def _directions(runs, times):
         {"words": "model 2 ends slightly longer than model 3", "holds": 0 < end[2] - end[3] < 3, "found": f"{_metres(end[2])} and {_metres(end[3])} m"},
         {"words": f"at {times[0]:g} s moving water presses less than uniform water", "holds": share[0] < 1, "found": f"{words.number(100 * share[0], 2)} % of model 2; printed 53 %"},
         {"words": f"at {times[1]:g} s it presses more", "holds": share[1] > 1, "found": f"{words.number(100 * share[1], 2)} % of model 2; printed 391 %"},
-        {"words": f"between the two times model 3 grows", "holds": grows[3], "found": f"from {_metres(three.at('crack_length', times[0]))} to {_metres(three.at('crack_length', times[1]))} m"},
-        {"words": f"between the two times model 2 grows, by 4.5 m", "holds": grows[2], "found": f"from {_metres(two.at('crack_length', times[0]))} to {_metres(two.at('crack_length', times[1]))} m"},
+        {"words": "between the two times model 3 grows", "holds": grows[3], "found": f"from {_metres(three.at('crack_length', times[0]))} to {_metres(three.at('crack_length', times[1]))} m"},
+        {"words": "between the two times model 2 grows, by 4.5 m", "holds": grows[2], "found": f"from {_metres(two.at('crack_length', times[0]))} to {_metres(two.at('crack_length', times[1]))} m"},
         {"words": "model 1 follows the others to 4.05 s", "holds": abs(one.at("crack_length", times[0]) - two.at("crack_length", times[0])) <= 0.5,
          "found": f"{_metres(one.at('crack_length', times[0]))} m; model 2 {_metres(two.at('crack_length', times[0]))} m, model 3 {_metres(three.at('crack_length', times[0]))} m"},
     ]
