@@ -111,19 +111,31 @@ def _directions(runs, times):
     ]
 
 
-def _sensitivity(folder, wanted, runs):
-    """Each change in models 2 and 3: lengths, uplifts, largest uplift and largest penetration."""
-    def cells(run, model):
-        early, late = wanted["times"]
+def _ending(run):
+    """How a run ended that did not shake to its end; empty for one that did."""
+    if run.status != "completed":
+        return f"{run.status}, at {run.history['time'][-1]:.2f} s"
+    cut = next((e for e in run.quantities.get("events", []) if e["event"] == "cut through"), None)
+    return f"the crack cut the dam through at {cut['time']:.2f} s" if cut else ""
+
+
+def _sensitivity(folder, wanted, runs, growth, level):
+    """Each change in models 2 and 3: lengths, the other program's where it has them, uplifts and largest overlap."""
+    early, late = wanted["times"]
+
+    def cells(run, model, level):
         lengths = [run.at("crack_length", t) for t in (early, late)] + [run.history["crack_length"][-1]]
         uplifts = [run.at("uplift_force", t) for t in (early, late)]
-        status = run.status if run.status != "completed" else ""
-        return {"model": model, "lengths": [_metres(v) for v in lengths], "uplifts": [_whole(v and v / 1e3) for v in uplifts],
+        other = growth.get((level, str(model)))
+        return {"model": model, "lengths": [_metres(v) for v in lengths],
+                "other": f"{other['length_4.05']} / {other['length_4.45']}" if other else "–",
+                "uplifts": [_whole(None if v is None else v / 1e3) for v in uplifts],
                 "largest": _whole(max(run.history["uplift_force"]) / 1e3), "penetration": words.number(1e3 * max(run.column("penetration")), 2),
-                "status": f"{status}, at {run.history['time'][-1]:.2f} s" if status else ""}
-    rows = [{"words": "as in the scenes", "runs": [cells(runs[m], m) for m in (2, 3)]}]
+                "ending": _ending(run)}
+    rows = [{"words": "as in the scenes", "runs": [cells(runs[m], m, level) for m in (2, 3)]}]
     for change in wanted["change"]:
-        rows.append({"words": change["words"], "runs": [cells(read_run(folder, change_name(m, change)), m) for m in change.get("models", (2, 3))]})
+        rows.append({"words": change["words"], "runs": [cells(read_run(folder, change_name(m, change)), m, change.get("level", ""))
+                                                        for m in change.get("models", (2, 3))]})
     return rows
 
 
@@ -210,12 +222,13 @@ def read(folder, layout, data=DATA, scene_folder=SCENES):
         raise LayoutError(f"layout: koyna: {picture} is not there; ci/report makes it")
     section = tomllib.loads((scene_folder / f"{wanted['scene']}.scene.toml").read_text(encoding="utf-8"))
     level = f"{section['reservoir']['level']:g}"
-    independent = {row["model"]: row for row in _table(data / "independent-koyna-2026/growth.csv") if row["level"] == level}
+    growth = {(row["level"], row["model"]): row for row in _table(data / "independent-koyna-2026/growth.csv")}
+    independent = {model: row for (at, model), row in growth.items() if at == level}
     filmed = runs[wanted["film"]["model"]]
     return {
         "title": wanted["title"], "words": wanted["words"], "mesh": scenes.mesh_picture(picture.read_text(encoding="utf-8"), picture.name),
         "figures": _figures(runs, wanted, section, data), "printed": _printed(wanted, runs, independent),
-        "directions": _directions(runs, wanted["times"]), "sensitivity": _sensitivity(folder, wanted, runs),
+        "directions": _directions(runs, wanted["times"]), "sensitivity": _sensitivity(folder, wanted, runs, growth, level),
         "times": [f"{t:g} s" for t in wanted["times"]], "stationary": _stationary(folder, wanted, data),
         "film": koyna_slider.film(folder / filmed.name / "results.h5", filmed.quantities.get("profiles", []),
                                   lambda t: filmed.at("crack_length", t), wanted["film"]),

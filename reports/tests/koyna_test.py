@@ -51,7 +51,16 @@ class Numbers(Folder):
         koyna_synthetic.write_run(self.folder, "model-2-rock", 2, until=4.2, status="stopped: the crack cuts the dam through")
         row = next(r for r in koyna.read(self.folder, LAYOUT)["sensitivity"] if r["words"] == "rock")["runs"][0]
         self.assertEqual(row["lengths"][1], "–")
-        self.assertEqual(row["status"], "stopped: the crack cuts the dam through, at 4.20 s")
+        self.assertEqual(row["ending"], "stopped: the crack cuts the dam through, at 4.20 s")
+
+    def test_run_that_cut_the_dam_through_says_so_and_the_other_program_stands_beside(self):
+        path = self.folder / "model-3-level-103/summary.json"
+        run = json.loads(path.read_text())
+        run["quantities"]["events"] = [{"time": 3.5, "event": "reached downstream"}, {"time": 3.5, "event": "cut through"}]
+        path.write_text(json.dumps(run))
+        base, level = koyna.read(self.folder, LAYOUT)["sensitivity"][:2]
+        self.assertEqual([r["ending"] for r in level["runs"]], ["", "the crack cut the dam through at 3.50 s"])
+        self.assertEqual([r["other"] for r in base["runs"] + level["runs"]], ["23.5 / 23.5", "25.5 / 28.5", "–", "–"])
 
     def test_fixed_crack_is_set_beside_the_other_program(self):
         row = koyna.read(self.folder, LAYOUT)["stationary"][0]
