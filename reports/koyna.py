@@ -123,10 +123,10 @@ def _sensitivity(folder, wanted, runs, growth, level):
     """Each change in models 2 and 3: lengths, the other program's where it has them, uplifts and largest overlap."""
     early, late = wanted["times"]
 
-    def cells(run, model, level):
+    def cells(run, model, case):
         lengths = [run.at("crack_length", t) for t in (early, late)] + [run.history["crack_length"][-1]]
         uplifts = [run.at("uplift_force", t) for t in (early, late)]
-        other = growth.get((level, str(model)))
+        other = growth.get((case, str(model)))
         return {"model": model, "lengths": [_metres(v) for v in lengths],
                 "other": f"{other['length_4.05']} / {other['length_4.45']}" if other else "–",
                 "uplifts": [_whole(None if v is None else v / 1e3) for v in uplifts],
@@ -134,7 +134,7 @@ def _sensitivity(folder, wanted, runs, growth, level):
                 "ending": _ending(run)}
     rows = [{"words": "as in the scenes", "runs": [cells(runs[m], m, level) for m in (2, 3)]}]
     for change in wanted["change"]:
-        rows.append({"words": change["words"], "runs": [cells(read_run(folder, change_name(m, change)), m, change.get("level", ""))
+        rows.append({"words": change["words"], "runs": [cells(read_run(folder, change_name(m, change)), m, change["name"])
                                                         for m in change.get("models", (2, 3))]})
     return rows
 
@@ -221,9 +221,9 @@ def read(folder, layout, data=DATA, scene_folder=SCENES):
     if not picture.is_file():
         raise LayoutError(f"layout: koyna: {picture} is not there; ci/report makes it")
     section = tomllib.loads((scene_folder / f"{wanted['scene']}.scene.toml").read_text(encoding="utf-8"))
-    level = f"{section['reservoir']['level']:g}"
-    growth = {(row["level"], row["model"]): row for row in _table(data / "independent-koyna-2026/growth.csv")}
-    independent = {model: row for (at, model), row in growth.items() if at == level}
+    level = f"level-{section['reservoir']['level']:g}"
+    growth = {(row["case"], row["model"]): row for row in _table(data / "independent-koyna-2026/growth.csv")}
+    independent = {model: row for (case, model), row in growth.items() if case == level}
     filmed = runs[wanted["film"]["model"]]
     return {
         "title": wanted["title"], "words": wanted["words"], "mesh": scenes.mesh_picture(picture.read_text(encoding="utf-8"), picture.name),
