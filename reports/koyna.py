@@ -150,7 +150,7 @@ def _stationary(folder, wanted, data):
         first = next((t for t, k in zip(run.history["time"], intensity) if k >= 2), None)
         largest = float(other["largest_K_I"])
         rows.append({"words": case["words"], "largest": words.number(max(intensity), 3), "other": other["largest_K_I"],
-                     "difference": f"{100 * (max(intensity) / largest - 1):+.1f} %".replace("-", "−"),
+                     "difference": f"{round(100 * (max(intensity) / largest - 1), 1) + 0.0:+.1f} %".replace("-", "−"),
                      "smallest": words.number(min(intensity), 3), "other_smallest": other["smallest_K_I"].replace("-", "−") or "–",
                      "first": "never" if first is None else f"{first:.2f}", "other_first": other["first_at_2"]})
     return rows
