@@ -8,7 +8,7 @@ import pathlib
 import sys
 import time
 
-from reports import bibliography, crack_water, figures, page, pdf, records, scenes
+from reports import bibliography, crack_water, figures, koyna, page, pdf, records, scenes
 from reports.browser import BrowserError
 
 
@@ -34,7 +34,8 @@ def main():
         found = records.read(options.records, options.cases)
         layout = page.read_layout(options.layout)
         view = page.view(found, layout, bibliography.read(page.HERE.parent / "reference-data/bibliography.bib"),
-                         scenes.read(options.records / "scenes", layout) + crack_water.read(options.records / "scenes", layout))
+                         scenes.read(options.records / "scenes", layout) + crack_water.read(options.records / "scenes", layout),
+                         koyna.read(options.records / "koyna", layout))
         options.output.mkdir(parents=True, exist_ok=True)
         write(options.output / "index.html", page.render(view).encode())
         if not options.no_pdf:
