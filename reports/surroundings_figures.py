@@ -96,7 +96,7 @@ def impedance(key, frequencies, curves, caption):
                 inside = [(a, v) for a, v in c.points if a <= frequencies[-1]]
                 axes.plot([a for a, _ in inside], [getattr(v, part) for _, v in inside], ("o", "s", "^")[i], color=SERIES[i], markersize=5, clip_on=False,
                           label=f"{c.name[0]}, independent")
-            axes.set_ylim(0, 1.08 * max(getattr(v, part) for c in curves for v in c.values))
+            axes.set_ylim(0, 1.08 * max(getattr(v, part) for c in curves for v in (*c.values, *(v for a, v in c.points if a <= frequencies[-1]))))
             axes.set_ylabel(name)
         panels[1].set_xlim(0, frequencies[-1])
         panels[1].set_xlabel("a₀ = ω b / c_s")
