@@ -163,8 +163,8 @@ def convolution(sources, caption):
     rows = []
     for name, line in series.items():
         line.sort()
-        steps, seconds, error, _ = line[-1]
-        rows.append((f"{name}, {steps:g} steps", f"{words.seconds(seconds)}, {words.factor(plain[steps] / seconds)} faster than the plain sum, error {words.error(error)}"))
+        steps, seconds, _, _ = line[-1]
+        rows.append((f"{name}, {steps:g} steps", f"{words.seconds(seconds)}, 1/{words.number(plain[steps] / seconds, 2)} of the plain sum"))
     return draw.convolution("surroundings-convolution", series, sorted(plain.items()), caption), rows
 
 
@@ -184,18 +184,20 @@ def crest(sources, caption):
 
 
 def energy(sources, caption):
-    """What came in through the ground and the standing water is stored, damped or gone with the waves."""
+    """What came in from ground and water is stored or damped. Water that shakes with the ground also pushes the dam, so its
+    work counts with what came in."""
     columns, found = _history(sources, "koyna-compressible"), _quantities(sources, "koyna-compressible")
     mega = lambda name: [1e-6 * v for v in columns[f"{name}_energy"]]
     stored = [k + s for k, s in zip(mega("kinetic"), mega("strain"))]
-    parts = {"damped": mega("damped"), "in the water and beyond": mega("radiated"), "stored": [s - stored[0] for s in stored]}
-    came_in = [a + b for a, b in zip(mega("input"), mega("load"))]
+    parts = {"damped": mega("damped"), "stored in the dam": [s - stored[0] for s in stored]}
+    ground, water = mega("input"), [load - lost for load, lost in zip(mega("load"), mega("radiated"))]
+    came_in = [a + b for a, b in zip(ground, water)]
     off = max(abs(sum(v) - whole) for whole, *v in zip(came_in, *parts.values()))
-    rows = [("at the end: came in", f"{words.number(came_in[-1], 6)} MJ/m")]
-    rows += [(f"at the end: {name}", f"{words.number(values[-1], 6)} MJ/m") for name, values in parts.items()]
+    rows = [(f"at the end: {name}", f"{words.number(values[-1], 6)} MJ/m") for name, values in
+            {"from the ground": ground, "from the water": water, **parts}.items()]
     rows += [("largest gap between parts and whole at any step", f"{words.error(off)} MJ/m"),
              ("the program's own, of the largest energy", words.error(found["energy_balance_error"]))]
-    return draw.energy_account("surroundings-energy", columns["time"], parts, came_in, caption), rows
+    return draw.energy_account("surroundings-energy", columns["time"], parts, ground, came_in, caption), rows
 
 
 SECTIONS = {"spectrum": spectrum, "impulse": impulse, "impedance": impedance, "convolution": convolution, "crest": crest, "energy": energy}

@@ -47,8 +47,7 @@ def force_spectrum(key, ratios, curves, caption, top=2.5):
             force.plot([r for r, _ in c.points], [abs(f) for _, f in c.points], "x", color=INK, markersize=5, zorder=4,
                        label="independent computation" if i == 0 else None)
             error.plot(ratios, [off(a, b) for a, b in zip(c.series, c.face)], DASHES[i], color=colour, linewidth=1)
-            error.plot([r for r, _ in c.points], [off(at[r][0], f) for r, f in c.points], ("P", "X")[i % 2], color=colour, markersize=4.5,
-                       label=f"{c.name}, formula off")
+            error.plot([r for r, _ in c.points], [off(at[r][0], f) for r, f in c.points], ("P", "X")[i % 2], color=colour, markersize=4.5)
             for r, _ in c.points:
                 for bar in (c.series_bar, c.face_bar):
                     error.plot([r - 0.09, r + 0.09], [bar, bar], "-", color=INK, linewidth=1.8, solid_capstyle="butt",
@@ -99,7 +98,7 @@ def impedance(key, frequencies, curves, caption):
             axes.set_ylim(0, 1.08 * max(getattr(v, part) for c in curves for v in (*c.values, *(v for a, v in c.points if a <= frequencies[-1]))))
             axes.set_ylabel(name)
         panels[1].set_xlim(0, frequencies[-1])
-        panels[1].set_xlabel("a₀ = ω b / c_s")
+        panels[1].set_xlabel("a₀, frequency × half-width / speed of shear waves")
         _below(panels[1], -0.25, 2)
         return _done(figure, key, caption)
 
@@ -154,9 +153,10 @@ def crest_histories(key, curves, caption):
         return _done(figure, key, caption)
 
 
-def energy_account(key, times, parts, came_in, caption):
-    """What became of the energy, stacked, under the line of what came in; `parts`: name -> values in MJ/m."""
-    _finite(key, times, came_in, *parts.values())
+def energy_account(key, times, parts, ground, came_in, caption):
+    """What became of the energy, stacked, under the line of what came in, of which `ground` is a share; `parts`: name ->
+    values in MJ/m."""
+    _finite(key, times, ground, came_in, *parts.values())
     largest = max(abs(v) for v in came_in)
     if not largest > 0:
         raise FigureError(f"{key}: no energy came in")
@@ -169,10 +169,10 @@ def energy_account(key, times, parts, came_in, caption):
         base = [0.0] * len(times)
         for i, (name, values) in enumerate(parts.items()):
             top = [b + v for b, v in zip(base, values)]
-            axes.fill_between(times, base, top, facecolor=SERIES[i], edgecolor=SERIES[i], alpha=0.55, linewidth=0.6, hatch=("", "////", "....", "xx")[i], label=name)
+            axes.fill_between(times, base, top, facecolor=SERIES[i], edgecolor=SERIES[i], alpha=0.55, linewidth=0.6, label=name)
             base = top
-        axes.plot(times, came_in, "--", color=INK, linewidth=1.1, label="came in")
+        axes.plot(times, came_in, "--", color=INK, linewidth=1.1, label="from ground and water")
+        axes.plot(times, ground, ":", color=SERIES[3], linewidth=1.3, label="from the ground alone")
         axes.set_xlim(times[0], times[-1])
-        axes.set_ylim(0, None)
-        _below(axes, -0.16, 3)
+        _below(axes, -0.16, 2)
         return _done(figure, key, caption)

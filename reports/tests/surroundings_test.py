@@ -80,7 +80,7 @@ class Surroundings(unittest.TestCase):
 
     def test_convolution_is_compared_with_the_plain_sum_of_the_same_length(self):
         rows = dict(self.shown("convolution").rows)
-        self.assertEqual(rows["block FFT, 100000 steps"], "2 s, 500 × faster than the plain sum, error 10⁻¹⁵")
+        self.assertEqual(rows["block FFT, 100000 steps"], "2 s, 1/500 of the plain sum")
 
     def test_energies_that_do_not_add_up_fail(self):
         path = self.sources.runs / "koyna-compressible/history.csv"
