@@ -24,7 +24,7 @@ DAM = {"mesh.size": 3.5, "dynamics.time_step": 0.002}
 # The program matches damping at the first mode of the dam by itself, the independent program at that of the dam in water:
 # 17.97 and 16.41 rad/s (references of the cases modal/koyna-section and reservoir/koyna-incompressible).
 WATER = {"reservoir.boundary": '"upstream"', "reservoir.level": 91.75, "dynamics.damping_ratio": round(0.05 * 17.975 / 16.407, 4)}
-ROCK = {"support": [], "foundation.boundary": '"base"', "foundation.youngs_modulus": 25e9, "foundation.poisson_ratio": 0.2, "foundation.density": 2450}
+ROCK = {"support": [], "dynamics.time_step": 0.01, "foundation.boundary": '"base"', "foundation.youngs_modulus": 25e9, "foundation.poisson_ratio": 0.2, "foundation.density": 2450}
 
 
 @dataclass(frozen=True)
