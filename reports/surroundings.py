@@ -177,9 +177,9 @@ def crest(sources, caption):
         if dam in DAM_CASES:
             independent = tuple(1e3 * v for v in next(r for r in _case(sources, DAM_CASES[dam])["reference"] if r["name"] == "extremes")["value"])
         curves.append(History(name, columns["time"], moved, independent))
-        peak = max(range(len(moved)), key=lambda i: abs(moved[i]))
-        beside = f"; independent {words.number(independent[0])} … {words.number(independent[1])}" if independent else ""
-        rows.append((name, f"{words.number(min(moved))} … {words.number(max(moved))} mm{beside}; largest at {words.number(columns['time'][peak])} s"))
+        rows.append((name, f"{words.number(min(moved), 4)} … {words.number(max(moved), 4)} mm"))
+        if independent:
+            rows.append(("the same, independent program", f"{words.number(independent[0], 4)} … {words.number(independent[1], 4)} mm"))
     return draw.crest_histories("surroundings-crest", curves, caption), rows
 
 

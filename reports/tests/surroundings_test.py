@@ -74,9 +74,11 @@ class Surroundings(unittest.TestCase):
         self.assertEqual(rows["absorbing bottom, α = 0.75: formula, off by at most"], "0; bar 5·10⁻⁷")
 
     def test_crest_moves_from_where_it_stood_and_stands_beside_the_independent_extremes(self):
-        rows = dict(self.shown("crest").rows)
-        self.assertEqual(rows["empty reservoir, rigid rock"], "−29.3 … 29.9 mm; independent −20 … 30; largest at 0.3 s")
-        self.assertNotIn("independent", rows["empty reservoir, elastic rock"])
+        rows = self.shown("crest").rows
+        self.assertEqual(rows[0][0], "empty reservoir, rigid rock")
+        self.assertRegex(rows[0][1], r"^−29\.\d+ … 29\.\d+ mm$")
+        self.assertEqual(rows[1], ("the same, independent program", "−20 … 30 mm"))
+        self.assertEqual(len(rows), len(surroundings.DAMS) + len(surroundings.DAM_CASES))
 
     def test_convolution_is_compared_with_the_plain_sum_of_the_same_length(self):
         rows = dict(self.shown("convolution").rows)
