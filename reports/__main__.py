@@ -10,6 +10,7 @@ import time
 
 from reports import bibliography, crack_water, figures, koyna, page, pdf, records, scenes
 from reports.browser import BrowserError
+from reports.surroundings import Sources, read as read_surroundings
 
 
 def write(path, data):
@@ -37,6 +38,7 @@ def main():
                          scenes.read(options.records / "scenes", layout) + crack_water.read(options.records / "scenes", layout),
                          koyna.read(options.records / "koyna", layout))
         options.output.mkdir(parents=True, exist_ok=True)
+        view["scenes"] += read_surroundings(Sources(options.records / "surroundings", options.cases, found.benchmarks), layout)
         write(options.output / "index.html", page.render(view).encode())
         if not options.no_pdf:
             write(options.output / "index.pdf", pdf.print_page(page.render(view, printed=True), f"Sunder validation report · {view['headline']}"))
