@@ -31,7 +31,7 @@ struct StepRecord {
   Eigen::Vector2d crest =
       Eigen::Vector2d::Zero();      ///< displacement relative to the ground, the static one included [m]
   double hydrodynamic_force = 0.0;  ///< on the body, horizontal [N/m]
-  std::vector<CrackRecord> cracks = {};
+  std::vector<CrackRecord> cracks;
   int face_iterations = 0;
 };
 
