@@ -44,9 +44,9 @@ Eigen::VectorXd frequencies(const scene::Scene& scene, const DynamicBody& body, 
     vibrating.mass = body.mass;
   }
   const auto free = std::count(held.fixed.begin(), held.fixed.end(), false);
-  if (count >= free) {
+  if (count > free) {
     throw scene::SceneError(scene::place_of(scene, "dynamics") + "damping_modes: there is no mode " +
-                            std::to_string(count) + "; accepted: modes below " + std::to_string(free));
+                            std::to_string(count) + "; accepted: modes up to " + std::to_string(free));
   }
   Ledger::Visit visit(ledger, "numerics", "modes");
   const FreeVibration modes = free_vibration(vibrating, held, count, false);
