@@ -21,7 +21,7 @@ using Complex = std::complex<double>;
 Complex outgoing_root(Complex x) {
   const Complex root = std::sqrt(x);
   const bool outwards = root.real() > 0.0 || (root.real() == 0.0 && root.imag() >= 0.0);
-  if (numerics::planted_fault("reservoir/incoming-wave")) return x.real() < 0.0 ? -std::conj(root) : root;
+  if (numerics::planted_fault("reservoir/incoming-wave")) return x.real() < 0.0 ? std::conj(root) : root;
   return outwards ? root : -root;
 }
 

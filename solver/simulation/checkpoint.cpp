@@ -1,5 +1,6 @@
 #include "solver/simulation/checkpoint.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>

@@ -10,7 +10,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 bool DynamicRun::has_checkpoints() const {
-  return scene_.output && scene_.output->checkpoint_every > 0 && !options_.output.empty();
+  return scene_.output && scene_.output->checkpoint_every > 0;
 }
 
 bool DynamicRun::wants_checkpoint(long long number) const {
@@ -60,13 +60,12 @@ void DynamicRun::keep() {
 
 /// Takes up the run where its checkpoint has left it; it has begun, at rest.
 void DynamicRun::go_on() {
-  const auto refuse = [this](const std::string& what) {
-    throw scene::SceneError(scene::place_of(scene_, "output") + "resume: " + what);
-  };
-  if (!has_checkpoints()) refuse("checkpoint_every is 0; accepted: a scene with checkpoints, in the folder of its run");
   identity_ = identity();
   const FoundCheckpoint found = read_checkpoint(options_.output, identity_);
-  if (!found.fault.empty()) refuse(checkpoint_file(options_.output).string() + " " + found.fault);
+  if (!found.fault.empty()) {
+    throw scene::SceneError(scene::place_of(scene_, "output") + "checkpoint " +
+                            checkpoint_file(options_.output).string() + " " + found.fault);
+  }
   const Checkpoint& kept = found.checkpoint;
 
   felt_ = kept.felt;

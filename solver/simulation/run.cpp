@@ -33,10 +33,23 @@ void require_place_for_fields(const scene::Scene& scene, const RunOptions& optio
                           "folder (`sunder run SCENE --output DIR`)");
 }
 
+void require_place_for_checkpoints(const scene::Scene& scene, const RunOptions& options) {
+  const bool wanted = scene.output && scene.output->checkpoint_every > 0;
+  if (wanted && options.output.empty())
+    throw scene::SceneError(scene::place_of(scene, "output") +
+                            "checkpoint_every: this run has no folder to write checkpoints to; accepted: 0, or a run "
+                            "with a folder (`sunder run SCENE --output DIR`)");
+  if (options.resume && !wanted)
+    throw scene::SceneError(scene::place_of(scene, "output") +
+                            "a run without checkpoints cannot be taken up again; accepted: analysis = \"dynamic\" with "
+                            "output.checkpoint_every > 0");
+}
+
 }  // namespace
 
 results::RunSummary run(const scene::Scene& scene, const RunOptions& options) {
   numerics::ThreadPool pool(options.threads);
+  require_place_for_checkpoints(scene, options);
   Ledger ledger;
   results::RunSummary summary;
   summary.name = scene.name;

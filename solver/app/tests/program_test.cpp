@@ -247,6 +247,41 @@ TEST(Program, ChecksASceneWithoutRunningIt) {
   EXPECT_EQ(folder.names().size(), 2u);
 }
 
+TEST(Program, ChecksTheRecordsThatASceneNames) {
+  const TestFolder folder;
+  const std::string shaken = R"(name = "shaken"
+analysis = "dynamic"
+[geometry]
+outline = [[0, 0], [2, 0], [2, 3], [0, 3]]
+boundaries = { base = [0] }
+[mesh]
+size = 0.5
+[material]
+youngs_modulus = 25e9
+poisson_ratio = 0.2
+density = 2400
+[[support]]
+boundary = "base"
+fix = ["x", "y"]
+[ground_motion]
+horizontal = "shaking.csv"
+horizontal_scale = -2.0
+[dynamics]
+time_step = 0.01
+duration = 1.0
+)";
+  const std::string scene = folder.write("shaken.toml", shaken);
+  const Solver solver{nullptr, one_triangle};
+  folder.write("shaking.csv", "0,0\n0.01,1.5\n0.02,-0.5\n");
+  const Outcome good = run({"check", scene}, solver);
+  EXPECT_EQ(good.status, completed) << good.err;
+  EXPECT_TRUE(holds(good.out, "horizontal  3 samples, 0 ... 0.02 s, peak 3 m/s2")) << good.out;
+  folder.write("shaking.csv", "0,0\n0.01,nan\n");
+  const Outcome bad = run({"check", scene}, solver);
+  EXPECT_EQ(bad.status, unusable_input);
+  EXPECT_TRUE(holds(bad.err, "shaking.csv:2: acceleration: \"nan\" is not finite")) << bad.err;
+}
+
 TEST(Program, PrintsEveryKey) {
   const Outcome text = run({"keys"}), markdown = run({"keys", "--markdown"});
   EXPECT_EQ(text.status, completed);

@@ -40,7 +40,8 @@ path = [[0, 2], [2.25, 2]]
 boundary = "base"
 fix = ["x", "y"]
 )";
-  return scene::read_scene_text(text, "block.scene.toml", {{"mesh.order", std::to_string(order)}});
+  const std::vector<scene::Override> overrides{{"mesh.order", std::to_string(order)}};
+  return scene::read_scene_text(text, "block.scene.toml", overrides);
 }
 
 double number(const results::RunSummary& summary, const char* path) {

@@ -97,7 +97,8 @@ void expect_same_bits(const results::RunSummary& a, const results::RunSummary& b
     }
   }
   for (const auto& [name, value] : *a.quantities.table()) {
-    if (value.number() != nullptr) EXPECT_EQ(*value.number(), *b.quantities.find(name)->number()) << name;
+    if (value.number() == nullptr) continue;
+    EXPECT_EQ(*value.number(), *b.quantities.find(name)->number()) << name;
   }
 }
 
@@ -115,7 +116,8 @@ TEST_F(Resume, GivesTheSameBitsAsARunInOnePiece) {
 
 TEST_F(Resume, RefusesWhatIsNotItsOwn) {
   EXPECT_NE(refusal({}).find("is not there"), std::string::npos);
-  EXPECT_NE(refusal({{"output.checkpoint_every", "0"}}).find("checkpoint_every is 0"), std::string::npos);
+  EXPECT_NE(refusal({{"output.checkpoint_every", "0"}}).find("a run without checkpoints cannot be taken up again"),
+            std::string::npos);
   ASSERT_FALSE(interrupted(0.3).completed());
   EXPECT_NE(refusal({{"material.youngs_modulus", "26e9"}}).find("belongs to another run"), std::string::npos);
   EXPECT_NE(refusal({{"ground_motion.vertical_scale", "0.5"}}).find("belongs to another run"), std::string::npos);

@@ -23,10 +23,9 @@ Chain oscillator(double omega) {
   Chain chain{.stiffness = Eigen::SparseMatrix<double>(2, 2),
               .mass = Eigen::SparseMatrix<double>(2, 2),
               .constraints = simulation::Constraints(2)};
-  for (int dof = 0; dof < 2; ++dof) {
-    chain.stiffness.insert(dof, dof) = omega * omega;
-    chain.mass.insert(dof, dof) = 1.0;
-  }
+  const std::vector<Eigen::Triplet<double>> unit{{0, 0, 1.0}, {1, 1, 1.0}};
+  chain.mass.setFromTriplets(unit.begin(), unit.end());  // compressed, as the step wants them
+  chain.stiffness = omega * omega * chain.mass;
   chain.constraints.prescribe(1, 0.0);
   return chain;
 }
