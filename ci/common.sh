@@ -20,7 +20,7 @@ trap 'printf "[%s] FAILED in line %s: %s\n" "$script" "$LINENO" "$BASH_COMMAND" 
 find_python() {
   local candidate
   for candidate in /usr/bin/python3 python3 /usr/local/bin/python3; do
-    if command -v "$candidate" >/dev/null && "$candidate" -c 'import matplotlib, jinja2, numpy' 2>/dev/null; then
+    if command -v "$candidate" >/dev/null && "$candidate" -c 'import matplotlib, jinja2, numpy, h5py' 2>/dev/null; then
       command -v "$candidate"
       return
     fi

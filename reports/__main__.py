@@ -8,8 +8,9 @@ import pathlib
 import sys
 import time
 
-from reports import bibliography, crack_water, figures, page, pdf, records, scenes
+from reports import bibliography, crack_water, figures, koyna, page, pdf, records, scenes
 from reports.browser import BrowserError
+from reports.surroundings import Sources, read as read_surroundings
 
 
 def write(path, data):
@@ -34,8 +35,10 @@ def main():
         found = records.read(options.records, options.cases)
         layout = page.read_layout(options.layout)
         view = page.view(found, layout, bibliography.read(page.HERE.parent / "reference-data/bibliography.bib"),
-                         scenes.read(options.records / "scenes", layout) + crack_water.read(options.records / "scenes", layout))
+                         scenes.read(options.records / "scenes", layout) + crack_water.read(options.records / "scenes", layout),
+                         koyna.read(options.records / "koyna", layout))
         options.output.mkdir(parents=True, exist_ok=True)
+        view["scenes"] += read_surroundings(Sources(options.records / "surroundings", options.cases, found.benchmarks), layout)
         write(options.output / "index.html", page.render(view).encode())
         if not options.no_pdf:
             write(options.output / "index.pdf", pdf.print_page(page.render(view, printed=True), f"Sunder validation report · {view['headline']}"))

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from reports import words
 from reports.records import HARMLESS
 
-# Every part the project is to cover, in the order of the report; a part without a case is shown as not built yet.
+# Every part the project is to cover, in the order of the report; a part without a case is shown as without evidence.
 FAMILIES = {
     "patch": "Patch tests", "sif": "Stress intensity", "modal": "Free vibration", "stability": "Stability",
     "dynamic": "Dynamics", "contact": "Contact", "crack-water": "Water in cracks", "reservoir": "Reservoir",

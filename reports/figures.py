@@ -48,7 +48,7 @@ class FigureError(RuntimeError):
     """A figure that would show nothing."""
 
 
-def _element(figure, key, caption):
+def element(figure, key, caption):
     """The figure as an <svg> element for the page: no metadata, own ids, colours of the style sheet."""
     text = io.StringIO()
     figure.savefig(text, format="svg", metadata={"Date": None, "Creator": None, "Format": None, "Type": None})
@@ -105,14 +105,14 @@ def _pen(i):
     return {"color": SERIES[i % len(SERIES)], "marker": MARKERS[(i + i // len(SERIES)) % len(MARKERS)]}
 
 
-def _axes(x, y, size=SIZE):
+def new_axes(x, y, size=SIZE):
     figure, axes = plt.subplots(figsize=size, layout="constrained")
     axes.set_xlabel(x)
     axes.set_ylabel(y)
     return figure, axes
 
 
-def _legend(axes, columns):
+def legend(axes, columns):
     """Below the axis title, outside the axes: matplotlib 3.6 makes room for it in a constrained layout."""
     axes.legend(loc="upper center", bbox_to_anchor=(0.45, -0.15), ncols=columns, handlelength=1.6, columnspacing=1.4,
                 borderaxespad=0.2)
@@ -124,7 +124,7 @@ def error_against_time(key, points, failed, quantity, floor=1e-16):
         raise FigureError(f"{key}: no setting has an error and a time")
     shown = [Point(p.seconds, max(p.error, floor), p.series, p.label, p.standard) for p in points]
     with plt.rc_context(STYLE):
-        figure, axes = _axes("CPU time", f"error of {quantity}", (SIZE[0], SIZE[1] + 0.35))
+        figure, axes = new_axes("CPU time", f"error of {quantity}", (SIZE[0], SIZE[1] + 0.35))
         axes.set_xscale("log")
         axes.set_yscale("log")
         names = list(dict.fromkeys(p.series for p in shown))
@@ -143,9 +143,9 @@ def error_against_time(key, points, failed, quantity, floor=1e-16):
             axes.plot(failed, [top] * len(failed), "x", color=BAD, markersize=5.5, markeredgewidth=1.4, label="no answer", zorder=4)
         _powers(axes.yaxis)
         _durations(axes.xaxis)
-        _legend(axes, 3)
+        legend(axes, 3)
         caption = f"Error of {quantity} against CPU time, {words.count(len(points), 'setting')}"
-        return Figure(key, _element(figure, key, caption), caption)
+        return Figure(key, element(figure, key, caption), caption)
 
 
 @dataclass(frozen=True)
@@ -164,7 +164,7 @@ def ladder(key, rungs, quantity, axis_label):
         raise FigureError(f"{key}: no rung has an error")
     floor = 1e-17
     with plt.rc_context(STYLE):
-        figure, axes = _axes(axis_label, f"error of {quantity}", (SIZE[0], 2.7))
+        figure, axes = new_axes(axis_label, f"error of {quantity}", (SIZE[0], 2.7))
         axes.set_yscale("log")
         places = range(len(rungs))
         limits = [r.tolerance if r.tolerance > 0 else math.nan for r in rungs]
@@ -190,7 +190,7 @@ def ladder(key, rungs, quantity, axis_label):
         _powers(axes.yaxis)
         axes.legend(loc="upper center", bbox_to_anchor=(0.45, -0.2), ncols=4, handlelength=1.4, columnspacing=1.4, borderaxespad=0.2)
         caption = f"Error of {quantity} over the {words.count(len(rungs), 'rung')} of the ladder, with the tolerance of each"
-        return Figure(key, _element(figure, key, caption), caption)
+        return Figure(key, element(figure, key, caption), caption)
 
 
 def convergence(key, series, quantity, size_label):
@@ -198,7 +198,7 @@ def convergence(key, series, quantity, size_label):
     if not series or not all(len(line) > 1 for line in series.values()):
         raise FigureError(f"{key}: fewer than two levels with an error")
     with plt.rc_context(STYLE):
-        figure, axes = _axes(size_label, f"error of {quantity}", (SIZE[0], SIZE[1] - 0.3))
+        figure, axes = new_axes(size_label, f"error of {quantity}", (SIZE[0], SIZE[1] - 0.3))
         axes.set_xscale("log")
         axes.set_yscale("log")
         for i, (name, line) in enumerate(series.items()):
@@ -212,9 +212,9 @@ def convergence(key, series, quantity, size_label):
         axes.set_xticks(sizes[::step], [words.written(repr(h)) for h in sizes[::step]])
         axes.xaxis.set_minor_locator(NullLocator())
         _powers(axes.yaxis)
-        _legend(axes, 2 if len(series) > 1 else 1)
+        legend(axes, 2 if len(series) > 1 else 1)
         caption = f"Error of {quantity} over {size_label}"
-        return Figure(key, _element(figure, key, caption), caption)
+        return Figure(key, element(figure, key, caption), caption)
 
 
 def pressure_along_crack(key, curves, caption):
@@ -235,7 +235,7 @@ def pressure_along_crack(key, curves, caption):
             axes.set_ylabel("pressure, MPa")
         low.set_xlabel("distance from the upstream mouth, m")
         low.legend(*whole.get_legend_handles_labels(), loc="upper center", bbox_to_anchor=(0.45, -0.25), ncols=3, handlelength=2.4, columnspacing=1.4, borderaxespad=0.2)
-        return Figure(key, _element(figure, key, caption), caption)
+        return Figure(key, element(figure, key, caption), caption)
 
 
 def cost(key, series, x_label, y_label, caption):
@@ -243,7 +243,7 @@ def cost(key, series, x_label, y_label, caption):
     if not series or not all(series.values()):
         raise FigureError(f"{key}: no measurement")
     with plt.rc_context(STYLE):
-        figure, axes = _axes(x_label, y_label, (SIZE[0], SIZE[1] + 0.1))
+        figure, axes = new_axes(x_label, y_label, (SIZE[0], SIZE[1] + 0.1))
         axes.set_xscale("log")
         axes.set_yscale("log")
         sizes = sorted({x for line in series.values() for x, _ in line})
@@ -252,5 +252,5 @@ def cost(key, series, x_label, y_label, caption):
         axes.set_xticks(sizes, [f"{x:g}" for x in sizes])
         axes.xaxis.set_minor_locator(NullLocator())
         _durations(axes.yaxis)
-        _legend(axes, 3)
-        return Figure(key, _element(figure, key, caption), caption)
+        legend(axes, 3)
+        return Figure(key, element(figure, key, caption), caption)

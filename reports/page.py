@@ -14,7 +14,7 @@ from reports.studies import LayoutError
 HERE = pathlib.Path(__file__).parent
 LARGEST_PAGE = 10_000_000  # bytes
 
-CONTENTS = (("verdict", "Verdict"), ("trust", "Trust matrix"), ("numbers", "Ten numbers"), ("scenes", "Scenes"), ("run-time", "Error against run time"),
+CONTENTS = (("verdict", "Verdict"), ("trust", "Trust matrix"), ("numbers", "Ten numbers"), ("scenes", "Scenes"), ("koyna", "Koyna"), ("run-time", "Error against run time"),
             ("ladders", "Stability"), ("faults", "Planted faults"), ("costs", "Costs"), ("cases", "Cases"), ("limits", "Known limits"),
             ("environment", "Environment"))
 
@@ -115,8 +115,8 @@ def _hero(layout, cases):
     return {"title": wanted["title"], **studies.joint_sweep(named, wanted["quantity"], "hero")}
 
 
-def view(records, layout, works, scenes):
-    """Everything the template shows, as plain values. `works`: the bibliography; `scenes`: of scenes.read."""
+def view(records, layout, works, scenes, koyna=None):
+    """Everything the template shows, as plain values. `works`: the bibliography; `scenes`: of scenes.read; `koyna`: of koyna.read."""
     cases = records.cases
     hero, numbers = _hero(layout, cases), [_number(n, cases, works) for n in layout["number"]]
     benchmark_figures = studies.benchmark_figures(layout, records.benchmarks)
@@ -128,7 +128,7 @@ def view(records, layout, works, scenes):
     facts = dict(records.environment.facts)
     headline = " · ".join(f"{name} {facts[name]}" for name in ("version", "commit") if name in facts)
     return {
-        "contents": CONTENTS, "headline": headline, "verdict": evidence.verdict(cases), "facts": evidence.facts(cases),
+        "contents": [entry for entry in CONTENTS if koyna or entry[0] != "koyna"], "koyna": koyna, "headline": headline, "verdict": evidence.verdict(cases), "facts": evidence.facts(cases),
         "matrix": evidence.trust_matrix(cases), "hero": hero, "command": layout["command"],
         "numbers": numbers, "scenes": scenes, "sweeps": sweeps, "levels": [w for _, w in LEVELS],
         "ladders": ladders, "kills": evidence.kills(cases),
@@ -149,7 +149,7 @@ def render(view_, printed=False):
         status_mark=lambda s: "✓" if s == "pass" else "○" if s in (*HARMLESS, "differs") else "✗")
     page = environment.get_template("page.html.j2").render(
         **view_, printed=printed, style=(HERE / "templates/style.css").read_text(encoding="utf-8"),
-        script=(HERE / "templates/script.js").read_text(encoding="utf-8"))
+        script="".join((HERE / "templates" / name).read_text(encoding="utf-8") for name in ("script.js", "film.js")))
     if len(page.encode()) > LARGEST_PAGE:
         raise LayoutError(f"the page has {len(page.encode())} bytes, more than {LARGEST_PAGE}")
     return page

@@ -20,7 +20,7 @@ class Scene:
     rows: list     # (quantity, value)
 
 
-def _picture(text, where):
+def mesh_picture(text, where):
     svg = text[text.index("<svg"):] if "<svg" in text else ""
     if not re.search(r"<path|<polygon|<line", svg):
         raise LayoutError(f"{where}: draws nothing")
@@ -47,6 +47,6 @@ def read(folder, layout):
             for step in re.findall(r"\w+", shown["path"]):
                 value = value[int(step)] if isinstance(value, list) else value[step]
             rows.append((shown["words"], f"{words.number(value, shown.get('digits', 4))} {shown.get('unit', '')}".strip()))
-        found.append(Scene(wanted["title"], wanted["words"], _picture(picture.read_text(encoding="utf-8"), picture.name),
+        found.append(Scene(wanted["title"], wanted["words"], mesh_picture(picture.read_text(encoding="utf-8"), picture.name),
                            wanted["caption"], rows))
     return found

@@ -1,9 +1,9 @@
 # The checks that are no C++ program: style, and the report's own tests. They need Debian's Python with matplotlib, which
 # need not be the first python3 on the path.
-set(SUNDER_PYTHON "" CACHE FILEPATH "Python with matplotlib, numpy and jinja2; found where empty")
+set(SUNDER_PYTHON "" CACHE FILEPATH "Python with matplotlib, numpy, h5py and jinja2; found where empty")
 if(NOT SUNDER_PYTHON)
   foreach(candidate /usr/bin/python3 python3 /usr/local/bin/python3)
-    execute_process(COMMAND ${candidate} -c "import matplotlib, numpy, jinja2, sys; print(sys.executable, end='')"
+    execute_process(COMMAND ${candidate} -c "import matplotlib, numpy, h5py, jinja2, sys; print(sys.executable, end='')"
                     RESULT_VARIABLE status OUTPUT_VARIABLE interpreter ERROR_QUIET)
     if(status EQUAL 0)
       set(SUNDER_PYTHON ${interpreter} CACHE FILEPATH "" FORCE)
@@ -11,7 +11,7 @@ if(NOT SUNDER_PYTHON)
     endif()
   endforeach()
   if(NOT SUNDER_PYTHON)
-    message(FATAL_ERROR "no python3 with matplotlib, numpy and jinja2 was found; ci/setup installs them")
+    message(FATAL_ERROR "no python3 with matplotlib, numpy, h5py and jinja2 was found; ci/setup installs them")
   endif()
 endif()
 

@@ -11,6 +11,8 @@
 namespace sunder::simulation {
 namespace {
 
+constexpr double same_height = 1e-9;  // of the body's
+
 dynamics::TimeScheme scheme_of(const scene::Dynamics& wanted) {
   switch (wanted.integrator) {
     case scene::Integrator::newmark:
@@ -40,6 +42,11 @@ Eigen::VectorXd frequencies(const scene::Scene& scene, const DynamicBody& body, 
   } else {
     vibrating.stiffness = body.stiffness;
     vibrating.mass = body.mass;
+  }
+  const auto free = std::count(held.fixed.begin(), held.fixed.end(), false);
+  if (count >= free) {
+    throw scene::SceneError(scene::place_of(scene, "dynamics") + "damping_modes: there is no mode " +
+                            std::to_string(count) + "; accepted: modes below " + std::to_string(free));
   }
   Ledger::Visit visit(ledger, "numerics", "modes");
   const FreeVibration modes = free_vibration(vibrating, held, count, false);
@@ -91,8 +98,12 @@ int crest_node(const Body& body) {
     std::iota(candidates.begin(), candidates.end(), 0);
   }
   const Eigen::Matrix2Xd& x = body.nodes.coordinates();
-  return *std::min_element(candidates.begin(), candidates.end(),
-                           [&x](int a, int b) { return x(1, a) != x(1, b) ? x(1, a) > x(1, b) : x(0, a) < x(0, b); });
+  const double height = x.row(1).maxCoeff() - x.row(1).minCoeff();
+  double top = x(1, candidates.front());
+  for (const int node : candidates) top = std::max(top, x(1, node));
+  // the mesher places nodes of a level crest to round-off: all of them are the highest
+  std::erase_if(candidates, [&](int node) { return x(1, node) < top - same_height * height; });
+  return *std::min_element(candidates.begin(), candidates.end(), [&x](int a, int b) { return x(0, a) < x(0, b); });
 }
 
 }  // namespace sunder::simulation

@@ -15,20 +15,24 @@ UnboundedDomain small_block() {
   return unbounded_domain(sbfem::coefficients(block_line(1, 1, 2, 1, 2), unit_rock));
 }
 
-/// Away from t = 0 a weight over the step is M(t), with the square of the step.
+/// Away from t = 0 a weight over the step is M(t), with the square of the step, for motions that the step resolves.
+/// Stiff shapes of the line ring on from t = 0 as under average acceleration itself, so single entries do not converge.
 TEST(RockWeights, SampleTheImpulseResponseToSecondOrder) {
   const UnboundedDomain domain = small_block();
   const std::vector<double> times{4.0};
   const Eigen::MatrixXd exact = impulse_response(domain, times).M[0];
-  std::vector<double> errors;
-  for (const double dt : {0.2, 0.1, 0.05}) {
-    const auto last = static_cast<long long>(std::lround(4.0 / dt));
-    const RockWeights rock = rock_weights(domain, dt, last);
-    ASSERT_EQ(rock.path.status, StiffnessStatus::converged);
-    errors.push_back((rock.weights.dense(last) / dt - exact).norm() / exact.norm());
+  for (const int component : {0, 1}) {
+    std::vector<double> errors;
+    for (const double dt : {0.2, 0.1, 0.05}) {
+      const auto last = static_cast<long long>(std::lround(4.0 / dt));
+      const RockWeights rock = rock_weights(domain, dt, last);
+      ASSERT_EQ(rock.path.status, StiffnessStatus::converged);
+      const Eigen::MatrixXd W = rock.weights.dense(last);
+      errors.push_back(std::abs(translation(W, component) / dt / translation(exact, component) - 1.0));
+    }
+    EXPECT_NEAR(std::log2(errors[0] / errors[1]), 2.0, 0.3) << component;
+    EXPECT_NEAR(std::log2(errors[1] / errors[2]), 2.0, 0.2) << component;
   }
-  EXPECT_NEAR(std::log2(errors[0] / errors[1]), 2.0, 0.3);
-  EXPECT_NEAR(std::log2(errors[1] / errors[2]), 2.0, 0.2);
 }
 
 TEST(RockWeights, AreSymmetricAndBeginWithMoreThanTheRadiation) {
