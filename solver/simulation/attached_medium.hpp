@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,8 @@ struct AttachedMedium {
   std::vector<int> dofs;  ///< (n) of the body, 2·node + component, ascending; R acts on the medium, the body feels -R
   std::unique_ptr<convolution::Convolution> convolution;
   DrivenBy driven_by = DrivenBy::total;
-  std::vector<std::string> warnings = {};  ///< words for the run's summary
+  std::vector<std::string> warnings = {};   ///< words for the run's summary
+  std::optional<double> memory_error = {};  ///< stated, of the kernel's sum; absent where the convolution is exact
 };
 
 /// Steps of equal length: a medium's convolution holds the weights of `steps` of them.

@@ -15,6 +15,7 @@ const Studies& studies() {
       {"crack-water-motion", run_crack_water_motion},
       {"polynomial-patch", run_polynomial_patch},
       {"state-transfer", run_state_transfer},
+      {"resumed", run_resumed},
       {"time-step", run_time_step},
 #endif
   };

@@ -62,6 +62,11 @@ StudyOutput run_kernel_march(const StudyInput& input);
 /// energy_drift.
 StudyOutput run_time_step(const StudyInput& input);
 
+/// "resumed": the scene in one piece against the same in `pieces`, each begun from the checkpoint of the one before
+/// (every `checkpoint_every` steps); the first is killed, the second interrupted, and so on: different_values of history
+/// and summary, bit for bit; killed; growths of the run in one piece, growths_after and steps_after the last checkpoint.
+StudyOutput run_resumed(const StudyInput& input);
+
 /// "contact-history": the faces of one crack under a history of loads, solved warm: difference of the forces from exact
 /// contact by another method, largest penetration, restless states.
 StudyOutput run_contact_history(const StudyInput& input);
