@@ -10,6 +10,7 @@ const Studies& studies() {
       {"convolve", run_convolve},
       {"coupled-oscillator", run_coupled_oscillator},
       {"kernel-march", run_kernel_march},
+      {"long-memory", run_long_memory},
 #ifdef SUNDER_HAS_SIMULATION
       {"scene", run_scene},
       {"crack-water-motion", run_crack_water_motion},
