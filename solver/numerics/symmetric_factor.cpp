@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "solver/numerics/factor_panels.hpp"
 #include "solver/numerics/library_threads.hpp"
 
 namespace sunder::numerics {
@@ -66,7 +67,8 @@ Sparse node_graph(const Sparse& lower, int block) {
 struct SymmetricFactor::Implementation {
   cholmod_common common{};
   cholmod_factor* factor = nullptr;
-  cholmod_dense *solution = nullptr, *work = nullptr, *half = nullptr;
+  FactorPanels panels;
+  PanelWork work;
   int rows = 0;
   FactorStatus status = FactorStatus::too_large;
   int failed_row = -1;
@@ -81,9 +83,6 @@ struct SymmetricFactor::Implementation {
     common.postorder = 1;
   }
   ~Implementation() {
-    cholmod_free_dense(&solution, &common);
-    cholmod_free_dense(&work, &common);
-    cholmod_free_dense(&half, &common);
     cholmod_free_factor(&factor, &common);
     cholmod_finish(&common);
   }
@@ -111,7 +110,6 @@ struct SymmetricFactor::Implementation {
     std::vector<int> order = fill_reducing_order(lower, options);
     cholmod_sparse view = view_of(lower);
     common.method[0].ordering = CHOLMOD_GIVEN;
-    if (options.layout == FactorLayout::columns) common.supernodal = CHOLMOD_SIMPLICIAL;
     factor = cholmod_analyze_p(&view, order.data(), nullptr, 0, &common);
   }
 
@@ -127,21 +125,22 @@ struct SymmetricFactor::Implementation {
       failed_row = static_cast<const int*>(factor->Perm)[factor->minor];
     } else if (done && common.status == CHOLMOD_OK) {
       status = FactorStatus::factorised;
+      invert_panels();
     }
   }
 
-  void solve(double* values, Eigen::Index columns) {
-    const OneLibraryThread calling_thread;
-    cholmod_dense right_side{};
-    right_side.nrow = static_cast<size_t>(rows);
-    right_side.ncol = static_cast<size_t>(columns);
-    right_side.nzmax = right_side.nrow * right_side.ncol;
-    right_side.d = right_side.nrow;
-    right_side.x = values;
-    right_side.xtype = CHOLMOD_REAL;
-    right_side.dtype = CHOLMOD_DOUBLE;
-    cholmod_solve2(CHOLMOD_A, factor, &right_side, nullptr, &solution, nullptr, &work, &half, &common);
-    std::copy_n(static_cast<const double*>(solution->x), right_side.nzmax, values);
+  /// The factor's numbers become those of `solve_with_panels`; its diagonal is then inverted.
+  void invert_panels() {
+    const auto list = [](const void* first, std::size_t size) {
+      return std::span<const int>(static_cast<const int*>(first), size);
+    };
+    panels = {.first_column = list(factor->super, factor->nsuper + 1),
+              .first_row = list(factor->pi, factor->nsuper + 1),
+              .first_value = list(factor->px, factor->nsuper),
+              .row = list(factor->s, factor->ssize),
+              .order = list(factor->Perm, factor->n),
+              .values = static_cast<double*>(factor->x)};
+    invert_diagonal_blocks(panels);
   }
 };
 
@@ -176,6 +175,7 @@ int SymmetricFactor::rows() const {
 }
 
 double SymmetricFactor::pivot_ratio() const {
+  // a quotient of two entries of the diagonal: the same of their inverses
   return cholmod_rcond(implementation_->factor, &implementation_->common);
 }
 
@@ -184,11 +184,7 @@ long long SymmetricFactor::entries() const {
 }
 
 void SymmetricFactor::solve_in_place(Eigen::Ref<Eigen::MatrixXd> B) const {
-  if (B.outerStride() == B.rows()) {
-    implementation_->solve(B.data(), B.cols());
-  } else {
-    for (Eigen::Index column = 0; column < B.cols(); ++column) implementation_->solve(B.col(column).data(), 1);
-  }
+  solve_with_panels(implementation_->panels, B, implementation_->work);
 }
 
 }  // namespace sunder::numerics

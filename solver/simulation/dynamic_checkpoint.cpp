@@ -83,6 +83,7 @@ void DynamicRun::go_on() {
   state_ = kept.state;
   state_.time = around_->time_at(number_);
   step_->equations().begin_with(kept.medium_forces);
+  step_->equations().stand_at(state_);
   media_before_ = kept.medium_forces;
   around_->load_at(number_, body_.dead_load, start_);
   energy_.go_on(step_->equations(), state_, kept.energy);

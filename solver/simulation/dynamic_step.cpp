@@ -40,6 +40,7 @@ DynamicStep::DynamicStep(const DynamicBody& body, std::span<AttachedMedium* cons
   const Index dofs = body.body.dofs();
   for (VectorXd* values : {&d_, &trial_.displacement, &trial_.velocity, &trial_.acceleration, &start_.force})
     values->setZero(dofs);
+  equations_.stand_at(state);
   if (!body.cracked() || equations_.status() != numerics::FactorStatus::factorised) return;
   X_ = equations_.answer(body.loads);
   faces_ = std::make_unique<faces::FaceStep>(
