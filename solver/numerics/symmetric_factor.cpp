@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "solver/numerics/library_threads.hpp"
+#include "solver/numerics/supernodal_shape.hpp"
+#include "solver/numerics/supernodal_values.hpp"
 
 namespace sunder::numerics {
 namespace {
@@ -61,6 +63,15 @@ Sparse node_graph(const Sparse& lower, int block) {
   return graph;
 }
 
+std::vector<int> by_rows(const std::vector<int>& nodes, int block) {
+  std::vector<int> rows;
+  rows.reserve(nodes.size() * static_cast<std::size_t>(block));
+  for (const int node : nodes) {
+    for (int k = 0; k < block; ++k) rows.push_back(node * block + k);
+  }
+  return rows;
+}
+
 }  // namespace
 
 struct SymmetricFactor::Implementation {
@@ -90,35 +101,36 @@ struct SymmetricFactor::Implementation {
   Implementation(const Implementation&) = delete;
   Implementation& operator=(const Implementation&) = delete;
 
-  std::vector<int> fill_reducing_order(const Sparse& lower, const FactorOptions& options) {
-    const Sparse graph = options.block > 1 ? node_graph(lower, options.block) : Sparse();
-    cholmod_sparse view = view_of(options.block > 1 ? graph : lower);
+  std::vector<int> fill_reducing_order(cholmod_sparse& graph, const FactorOptions& options) {
     const bool dissect = options.ordering == Ordering::nested_dissection ||
-                         (options.ordering == Ordering::automatic && lower.rows() >= nested_dissection_pays_from);
-    std::vector<int> nodes(view.nrow);
-    const int ordered = dissect ? cholmod_metis(&view, nullptr, 0, 1, nodes.data(), &common)
-                                : cholmod_amd(&view, nullptr, 0, nodes.data(), &common);
-    if (!ordered) std::iota(nodes.begin(), nodes.end(), 0);
-    std::vector<int> order;
-    order.reserve(static_cast<size_t>(rows));
-    for (const int node : nodes) {
-      for (int k = 0; k < options.block; ++k) order.push_back(node * options.block + k);
-    }
+                         (options.ordering == Ordering::automatic && rows >= nested_dissection_pays_from);
+    std::vector<int> order(graph.nrow);
+    const int ordered = dissect ? cholmod_metis(&graph, nullptr, 0, 1, order.data(), &common)
+                                : cholmod_amd(&graph, nullptr, 0, order.data(), &common);
+    if (!ordered) std::iota(order.begin(), order.end(), 0);
     return order;
   }
 
   void analyse(const Sparse& lower, const FactorOptions& options) {
-    std::vector<int> order = fill_reducing_order(lower, options);
-    cholmod_sparse view = view_of(lower);
+    const Sparse nodes = options.block > 1 ? node_graph(lower, options.block) : Sparse();
+    cholmod_sparse graph = view_of(options.block > 1 ? nodes : lower);
+    std::vector<int> order = fill_reducing_order(graph, options);
     common.method[0].ordering = CHOLMOD_GIVEN;
-    if (options.layout == FactorLayout::columns) common.supernodal = CHOLMOD_SIMPLICIAL;
-    factor = cholmod_analyze_p(&view, order.data(), nullptr, 0, &common);
+    if (options.layout == FactorLayout::columns) {
+      common.supernodal = CHOLMOD_SIMPLICIAL;
+      cholmod_sparse view = view_of(lower);
+      order = by_rows(order, options.block);
+      factor = cholmod_analyze_p(&view, order.data(), nullptr, 0, &common);
+      return;
+    }
+    factor = supernodal_shape(graph, order, options.block, common);
   }
 
   void factorise(const Sparse& lower) {
     failed_row = -1;
     status = FactorStatus::too_large;
     if (factor == nullptr) return;
+    if (factor->is_super) return factorise_supernodes(lower);
     const OneLibraryThread calling_thread;
     cholmod_sparse view = view_of(lower);
     const int done = cholmod_factorize(&view, factor, &common);
@@ -128,6 +140,15 @@ struct SymmetricFactor::Implementation {
     } else if (done && common.status == CHOLMOD_OK) {
       status = FactorStatus::factorised;
     }
+  }
+
+  void factorise_supernodes(const Sparse& lower) {
+    if (factor->xtype == CHOLMOD_PATTERN) cholmod_change_factor(CHOLMOD_REAL, 1, 1, 1, 1, factor, &common);
+    if (factor->xtype != CHOLMOD_REAL) return;  // memory ran out
+    const int failed = supernodal_values(lower, *factor);
+    factor->minor = failed < 0 ? factor->n : static_cast<size_t>(failed);
+    status = failed < 0 ? FactorStatus::factorised : FactorStatus::not_positive_definite;
+    if (failed >= 0) failed_row = static_cast<const int*>(factor->Perm)[failed];
   }
 
   void solve(double* values, Eigen::Index columns) {

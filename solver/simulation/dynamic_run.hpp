@@ -35,7 +35,7 @@ class DynamicRun {
   bool grow_tip(std::size_t crack, const mesh::Point& to);
 
   void make_step(const FaceMemory& memory);
-  StepRecord observe() const;
+  void observe(StepRecord& record) const;
   CrackRecord observe_crack(std::size_t crack, Eigen::Index first_pair) const;
   FaceMemory remembered(const DynamicBody& before) const;
   bool held_closed(std::size_t crack) const;

@@ -61,7 +61,8 @@ class DynamicStep {
   FaceMemory memory_;
   StepLoad start_;
   MotionState trial_;
-  Eigen::VectorXd d_, motion_, before_motion_, mouth_pressure_, force_of_medium_;
+  Eigen::VectorXd d_, motion_, before_motion_, mouth_pressure_;
+  std::vector<Eigen::RowVectorXd> of_acceleration_;  // pressure at each mouth of a unit acceleration of its medium
 };
 
 }  // namespace sunder::simulation
