@@ -35,15 +35,11 @@ class DynamicRun {
   bool grow_tip(std::size_t crack, const mesh::Point& to);
 
   void make_step(const FaceMemory& memory);
-<<<<<<< HEAD
-  void observe(StepRecord& record) const;
-=======
   /// The equations between the faces belong to contact where the scene has it; without, to nobody but themselves.
   const char* face_part() const { return scene_.contact ? "contact" : "faces"; }
   void charge_faces();
   void charge_parts();
-  StepRecord observe() const;
->>>>>>> main
+  void observe(StepRecord& record) const;
   CrackRecord observe_crack(std::size_t crack, Eigen::Index first_pair) const;
   FaceMemory remembered(const DynamicBody& before) const;
   bool held_closed(std::size_t crack) const;
