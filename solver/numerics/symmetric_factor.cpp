@@ -10,6 +10,8 @@
 
 #include "solver/numerics/factor_panels.hpp"
 #include "solver/numerics/library_threads.hpp"
+#include "solver/numerics/supernodal_shape.hpp"
+#include "solver/numerics/supernodal_values.hpp"
 
 namespace sunder::numerics {
 namespace {
@@ -89,41 +91,36 @@ struct SymmetricFactor::Implementation {
   Implementation(const Implementation&) = delete;
   Implementation& operator=(const Implementation&) = delete;
 
-  std::vector<int> fill_reducing_order(const Sparse& lower, const FactorOptions& options) {
-    const Sparse graph = options.block > 1 ? node_graph(lower, options.block) : Sparse();
-    cholmod_sparse view = view_of(options.block > 1 ? graph : lower);
+  std::vector<int> fill_reducing_order(cholmod_sparse& graph, const FactorOptions& options) {
     const bool dissect = options.ordering == Ordering::nested_dissection ||
-                         (options.ordering == Ordering::automatic && lower.rows() >= nested_dissection_pays_from);
-    std::vector<int> nodes(view.nrow);
-    const int ordered = dissect ? cholmod_metis(&view, nullptr, 0, 1, nodes.data(), &common)
-                                : cholmod_amd(&view, nullptr, 0, nodes.data(), &common);
-    if (!ordered) std::iota(nodes.begin(), nodes.end(), 0);
-    std::vector<int> order;
-    order.reserve(static_cast<size_t>(rows));
-    for (const int node : nodes) {
-      for (int k = 0; k < options.block; ++k) order.push_back(node * options.block + k);
-    }
+                         (options.ordering == Ordering::automatic && rows >= nested_dissection_pays_from);
+    std::vector<int> order(graph.nrow);
+    const int ordered = dissect ? cholmod_metis(&graph, nullptr, 0, 1, order.data(), &common)
+                                : cholmod_amd(&graph, nullptr, 0, order.data(), &common);
+    if (!ordered) std::iota(order.begin(), order.end(), 0);
     return order;
   }
 
   void analyse(const Sparse& lower, const FactorOptions& options) {
-    std::vector<int> order = fill_reducing_order(lower, options);
-    cholmod_sparse view = view_of(lower);
+    const Sparse nodes = options.block > 1 ? node_graph(lower, options.block) : Sparse();
+    cholmod_sparse graph = view_of(options.block > 1 ? nodes : lower);
+    std::vector<int> order = fill_reducing_order(graph, options);
     common.method[0].ordering = CHOLMOD_GIVEN;
-    factor = cholmod_analyze_p(&view, order.data(), nullptr, 0, &common);
+    factor = supernodal_shape(graph, order, options.block, common);
   }
 
   void factorise(const Sparse& lower) {
     failed_row = -1;
     status = FactorStatus::too_large;
     if (factor == nullptr) return;
-    const OneLibraryThread calling_thread;
-    cholmod_sparse view = view_of(lower);
-    const int done = cholmod_factorize(&view, factor, &common);
-    if (common.status == CHOLMOD_NOT_POSDEF || (done && factor->minor < factor->n)) {
+    if (factor->xtype == CHOLMOD_PATTERN) cholmod_change_factor(CHOLMOD_REAL, 1, 1, 1, 1, factor, &common);
+    if (factor->xtype != CHOLMOD_REAL) return;  // memory ran out
+    const int failed = supernodal_values(lower, *factor);
+    factor->minor = failed < 0 ? factor->n : static_cast<size_t>(failed);
+    if (failed >= 0) {
       status = FactorStatus::not_positive_definite;
-      failed_row = static_cast<const int*>(factor->Perm)[factor->minor];
-    } else if (done && common.status == CHOLMOD_OK) {
+      failed_row = static_cast<const int*>(factor->Perm)[failed];
+    } else {
       status = FactorStatus::factorised;
       invert_panels();
     }

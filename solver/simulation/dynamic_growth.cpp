@@ -43,7 +43,7 @@ bool DynamicRun::grow_cracks() {
     for (int taken = 0;; ++taken) {
       const CrackFaceLoads& crack = body_.cracks[c];
       if (!crack.tip || crack.tip->status != fracture::TipStatus::ready) break;
-      if (taken > 0) now_ = observe();
+      if (taken > 0) observe(now_);
       const fracture::Faces faces = held_closed(c) ? fracture::Faces::held_closed : fracture::Faces::as_K_I_says;
       const fracture::GrowthDecision decision =
           fracture::decide_growth({.K_I = now_.cracks[c].K_I, .K_II = now_.cracks[c].K_II}, faces, law);
@@ -109,13 +109,14 @@ bool DynamicRun::grow_tip(std::size_t crack, const mesh::Point& to) {
   Eigen::MatrixXd fields(body_.body.dofs(), 3);
   fields << state_.displacement, state_.velocity, state_.acceleration;
   const TransferredFields moved =
-      transfer_fields(body_.body, body_.formation, growth.body, growth.formation, growth.report, fields);
+      transfer_fields(body_.body, body_.formation, growth.body, growth.same, growth.report, fields);
   std::string lost;
   if (!around_->keep(same_boundary_dofs(body_.body, growth.body), growth.body.dofs(), lost)) {
     return stop("at " + time_text() + " a crack has changed the face of the " + lost), false;
   }
   const DynamicBody before = std::move(body_);
-  body_ = dynamic_body(scene_, std::move(growth.body), std::move(growth.formation), rock_moves(scene_), pool_);
+  body_ = dynamic_body(scene_, std::move(growth.body), std::move(growth.formation), rock_moves(scene_), pool_,
+                       EarlierLoads{before.interior, growth.same});
   state_.displacement = moved.values.col(0);
   state_.velocity = moved.values.col(1);
   state_.acceleration = moved.values.col(2);

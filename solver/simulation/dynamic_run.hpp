@@ -39,7 +39,7 @@ class DynamicRun {
   const char* face_part() const { return scene_.contact ? "contact" : "faces"; }
   void charge_faces();
   void charge_parts();
-  StepRecord observe() const;
+  void observe(StepRecord& record) const;
   CrackRecord observe_crack(std::size_t crack, Eigen::Index first_pair) const;
   FaceMemory remembered(const DynamicBody& before) const;
   bool held_closed(std::size_t crack) const;

@@ -63,7 +63,8 @@ class DynamicStep {
   StepLoad start_;
   MotionState trial_;
   numerics::Meter face_work_;
-  Eigen::VectorXd d_, motion_, before_motion_, mouth_pressure_, force_of_medium_;
+  Eigen::VectorXd d_, motion_, before_motion_, mouth_pressure_;
+  std::vector<Eigen::RowVectorXd> of_acceleration_;  // pressure at each mouth of a unit acceleration of its medium
 };
 
 }  // namespace sunder::simulation

@@ -128,21 +128,22 @@ CrackRecord DynamicRun::observe_crack(std::size_t crack, Index first_pair) const
   return record;
 }
 
-StepRecord DynamicRun::observe() const {
-  StepRecord record;
+/// Overwrites the record; its memory is used again.
+void DynamicRun::observe(StepRecord& record) const {
   record.time = state_.time;
   record.crest = state_.displacement.segment<2>(2 * crest_);
+  record.hydrodynamic_force = 0.0;
   for (std::size_t m = 0; m < around_->media().size(); ++m) {
     const AttachedMedium& medium = *around_->media()[m];
     if (medium.name == "reservoir") record.hydrodynamic_force = -step_->equations().medium_forces()[m].sum();
   }
+  record.cracks.clear();
   Index pair = 0;
   for (std::size_t c = 0; c < body_.cracks.size(); ++c) {
     record.cracks.push_back(observe_crack(c, pair));
     pair += body_.cracks[c].pairs.count();
   }
   record.face_iterations = step_->faces() != nullptr ? step_->faces()->result().iterations : 0;
-  return record;
 }
 
 bool DynamicRun::step(long long number) {
@@ -212,7 +213,7 @@ void DynamicRun::go() {
   if (options_.resume) {
     go_on();
   } else {
-    now_ = observe();
+    observe(now_);
     record_->add(now_, energy_.energies());
     write_fields();
   }
@@ -225,7 +226,7 @@ void DynamicRun::go() {
         break;
       }
       if (!step(number)) break;
-      now_ = observe();
+      observe(now_);
       record_->add(now_, energy_.energies());
       note_profiles();
       write_fields();
