@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "solver/numerics/factor_panels.hpp"
-#include "solver/numerics/library_threads.hpp"
 #include "solver/numerics/supernodal_shape.hpp"
 #include "solver/numerics/supernodal_values.hpp"
 
