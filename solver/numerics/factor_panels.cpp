@@ -49,9 +49,11 @@ inline void tile_times(const double* Q, Index rows, Index columns, const double*
 
 void times(const Panel& panel, const double* b, double* result) {
   Index i = 0;
-  for (; i + 16 <= panel.rows; i += 16) tile_times<4>(panel.Q + i, panel.rows, panel.columns, b, result + i);
-  for (; i + 8 <= panel.rows; i += 8) tile_times<2>(panel.Q + i, panel.rows, panel.columns, b, result + i);
-  for (; i + 4 <= panel.rows; i += 4) tile_times<1>(panel.Q + i, panel.rows, panel.columns, b, result + i);
+  // above the diagonal nothing stands
+  const auto columns = [&](Index end) { return std::min(panel.columns, end); };
+  for (; i + 16 <= panel.rows; i += 16) tile_times<4>(panel.Q + i, panel.rows, columns(i + 16), b, result + i);
+  for (; i + 8 <= panel.rows; i += 8) tile_times<2>(panel.Q + i, panel.rows, columns(i + 8), b, result + i);
+  for (; i + 4 <= panel.rows; i += 4) tile_times<1>(panel.Q + i, panel.rows, columns(i + 4), b, result + i);
   for (; i < panel.rows; ++i) {
     double value = 0.0;
     for (Index j = 0; j < panel.columns; ++j) value += panel.Q[i + j * panel.rows] * b[j];
@@ -59,11 +61,11 @@ void times(const Panel& panel, const double* b, double* result) {
   }
 }
 
-/// x[j] = Σ_i Q_ij v_i for some columns at once.
+/// x[j] = Σ_{i >= first} Q_ij v_i for some columns at once.
 template <int columns>
-inline void tile_transposed_times(const double* Q, Index rows, const double* v, double* x) {
+inline void tile_transposed_times(const double* Q, Index rows, Index first_row, const double* v, double* x) {
   Four even[columns] = {}, odd[columns] = {};
-  Index i = 0;
+  Index i = first_row;
   for (; i + 8 <= rows; i += 8) {
     const Four first = load(v + i), second = load(v + i + 4);
     for (int k = 0; k < columns; ++k) {
@@ -85,9 +87,9 @@ inline void tile_transposed_times(const double* Q, Index rows, const double* v, 
 
 void transposed_times(const Panel& panel, const double* v, double* x) {
   Index j = 0;
-  for (; j + 4 <= panel.columns; j += 4) tile_transposed_times<4>(panel.Q + j * panel.rows, panel.rows, v, x + j);
-  for (; j + 2 <= panel.columns; j += 2) tile_transposed_times<2>(panel.Q + j * panel.rows, panel.rows, v, x + j);
-  if (j < panel.columns) tile_transposed_times<1>(panel.Q + j * panel.rows, panel.rows, v, x + j);
+  for (; j + 4 <= panel.columns; j += 4) tile_transposed_times<4>(panel.Q + j * panel.rows, panel.rows, j, v, x + j);
+  for (; j + 2 <= panel.columns; j += 2) tile_transposed_times<2>(panel.Q + j * panel.rows, panel.rows, j, v, x + j);
+  if (j < panel.columns) tile_transposed_times<1>(panel.Q + j * panel.rows, panel.rows, j, v, x + j);
 }
 
 void solve_one(const FactorPanels& panels, double* values, double* x, double* t) {
@@ -125,11 +127,22 @@ inline void eight_products(const double* Q, Index along, Index across, Index ter
   }
 }
 
-void eight_products(const double* Q, Index along, Index across, Index results, Index terms, const double* from,
-                    double* into) {
-  Index p = 0;
-  for (; p + 4 <= results; p += 4) eight_products<4>(Q + p * along, along, across, terms, from, into + p * together);
-  for (; p < results; ++p) eight_products<1>(Q + p * along, along, across, terms, from, into + p * together);
+/// [y; δ] = Q b₁ and x₁ = Qᵀ v of eight right sides, without what stands above the diagonal.
+void eight_times(const Panel& panel, const double* b, double* result) {
+  Index i = 0;
+  for (; i + 4 <= panel.rows; i += 4)
+    eight_products<4>(panel.Q + i, 1, panel.rows, std::min(panel.columns, i + 4), b, result + i * together);
+  for (; i < panel.rows; ++i)
+    eight_products<1>(panel.Q + i, 1, panel.rows, std::min(panel.columns, i + 1), b, result + i * together);
+}
+
+void eight_transposed_times(const Panel& panel, const double* v, double* x) {
+  const auto column = [&](Index j) { return panel.Q + j * panel.rows + j; };
+  Index j = 0;
+  for (; j + 4 <= panel.columns; j += 4)
+    eight_products<4>(column(j), panel.rows, 1, panel.rows - j, v + j * together, x + j * together);
+  for (; j < panel.columns; ++j)
+    eight_products<1>(column(j), panel.rows, 1, panel.rows - j, v + j * together, x + j * together);
 }
 
 /// As `solve_one` for up to eight columns of B; those that are missing are 0.
@@ -141,7 +154,7 @@ void solve_eight(const FactorPanels& panels, Eigen::Ref<Eigen::MatrixXd> B, doub
   for (int s = 0; s < panels.count(); ++s) {
     const Panel panel(panels, s);
     double* own = x + panel.first * together;
-    eight_products(panel.Q, 1, panel.rows, panel.rows, panel.columns, own, t);
+    eight_times(panel, own, t);
     std::copy_n(t, panel.columns * together, own);
     for (Index i = panel.columns; i < panel.rows; ++i) {
       double* into = x + panel.row[i] * together;
@@ -155,7 +168,7 @@ void solve_eight(const FactorPanels& panels, Eigen::Ref<Eigen::MatrixXd> B, doub
     std::copy_n(own, panel.columns * together, t);
     for (Index i = panel.columns; i < panel.rows; ++i)
       std::copy_n(x + panel.row[i] * together, together, t + i * together);
-    eight_products(panel.Q, panel.rows, 1, panel.columns, panel.rows, t, own);
+    eight_transposed_times(panel, t, own);
   }
   for (Index k = 0; k < n; ++k) {
     for (Index c = 0; c < B.cols(); ++c) B(panels.order[k], c) = x[k * together + c];

@@ -77,7 +77,7 @@ StepEquations::StepEquations(const SparseMatrix& stiffness, const SparseMatrix& 
   }
   for (const AttachedMedium* medium : media_) {
     const Index n = std::ssize(medium->dofs);
-    for (std::vector<VectorXd>* list : {&histories_, &medium_forces_, &medium_work_})
+    for (std::vector<VectorXd>* list : {&histories_, &medium_forces_, &medium_work_, &medium_answer_})
       list->push_back(VectorXd::Zero(n));
   }
 }
@@ -176,22 +176,23 @@ const VectorXd& StepEquations::trial(const MotionState& state, const StepLoad& s
       const numerics::Meter::Lap lap(medium.work);
       medium.convolution->history_force(history);
     }
-    // the part of the total acceleration that is known beforehand: the ground's
-    for (std::size_t i = 0; i < medium.dofs.size(); ++i) {
-      known[static_cast<Index>(i)] = medium.driven_by == DrivenBy::total ? end.ground[medium.dofs[i] % 2] : 0.0;
+    const Eigen::MatrixXd& W = medium.convolution->instantaneous_mass();
+    if (medium.driven_by == DrivenBy::total) {  // the part of its acceleration that is known beforehand: the ground's
+      for (std::size_t i = 0; i < medium.dofs.size(); ++i)
+        known[static_cast<Index>(i)] = end.ground[medium.dofs[i] % 2];
+      history.noalias() += W * known;
     }
-    history.noalias() += medium.convolution->instantaneous_mass() * known;
     for (std::size_t i = 0; i < medium.dofs.size(); ++i) {
       const int dof = medium.dofs[i];
       known[static_cast<Index>(i)] = numerics::planted_fault("simulation/instantaneous-mass-on-load-side")
                                          ? a[dof]
                                          : of_v * v[dof] + of_a * a[dof];
     }
-    const VectorXd& force = medium_forces_[m];
+    VectorXd& answer = medium_answer_[m];
+    answer.noalias() = W * known;
     for (std::size_t i = 0; i < medium.dofs.size(); ++i) {
       const auto row = static_cast<Index>(i);
-      const double now = history[row] + medium.convolution->instantaneous_mass().row(row).dot(known);
-      d_[medium.dofs[i]] -= (1.0 - af) * now + af * force[row];
+      d_[medium.dofs[i]] -= (1.0 - af) * (history[row] + answer[row]) + af * medium_forces_[m][row];
     }
   }
   hold(d_);

@@ -120,7 +120,8 @@ class StepEquations {
   numerics::VectorPair with_stiffness_, with_mass_;  // what the products are of
   MotionProducts now_, before_;
   Eigen::VectorXd d_;
-  std::vector<Eigen::VectorXd> histories_, medium_forces_, medium_work_;
+  std::vector<Eigen::VectorXd> histories_, medium_forces_;
+  std::vector<Eigen::VectorXd> medium_work_, medium_answer_;  // an acceleration, W_0 times it
 };
 
 }  // namespace sunder::simulation
