@@ -48,7 +48,4 @@ struct StepPlan {
 /// [Pa], beside the pressure at rest. Zero above the level. Throws as `attach_reservoir`.
 [[nodiscard]] Eigen::VectorXd reservoir_pressure_weights(const scene::Scene& scene, const Body& body, double height);
 
-/// ρ g (level - height) of the scene's [reservoir], 0 above the level [Pa]; g is that of [gravity], 9.81 m/s² without.
-[[nodiscard]] double reservoir_pressure_at_rest(const scene::Scene& scene, double height);
-
 }  // namespace sunder::simulation

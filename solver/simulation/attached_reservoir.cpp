@@ -152,9 +152,4 @@ Eigen::VectorXd reservoir_pressure_weights(const scene::Scene& scene, const Body
   return wet.into_water * reservoir::pressure_functional(mesh, height);
 }
 
-double reservoir_pressure_at_rest(const scene::Scene& scene, double height) {
-  const double gravity = scene.gravity.value_or(scene::Gravity{}).acceleration;
-  return reservoir::hydrostatic_pressure(scene.reservoir->density, gravity, *scene.reservoir->level, height);
-}
-
 }  // namespace sunder::simulation
