@@ -35,8 +35,8 @@ class DynamicRun {
   bool grow_tip(std::size_t crack, const mesh::Point& to);
 
   void make_step(const FaceMemory& memory);
-  /// The equations between the faces belong to contact where the scene has it; without, to nobody but themselves.
-  const char* face_part() const { return scene_.contact ? "contact" : "faces"; }
+  /// The part of the scene that asked for the equations between the faces: contact before water before the crack.
+  const char* face_part() const { return scene_.contact ? "contact" : scene_.crack_water ? "crackwater" : "crack"; }
   void charge_faces();
   void charge_parts();
   void observe(StepRecord& record) const;
