@@ -148,6 +148,24 @@ def error_against_time(key, points, failed, quantity, floor=1e-16):
         return Figure(key, element(figure, key, caption), caption)
 
 
+def peers(key, programs, quantity, caption):
+    """Fronts of several programs on one problem; `programs`: name -> (front, all points)."""
+    if not programs or not all(front for front, _ in programs.values()):
+        raise FigureError(f"{key}: a program without a point")
+    with plt.rc_context(STYLE):
+        figure, axes = new_axes("CPU time, mesh and solution", f"error of {quantity}", (SIZE[0], SIZE[1] + 0.35))
+        axes.set_xscale("log")
+        axes.set_yscale("log")
+        for i, (name, (front, points)) in enumerate(programs.items()):
+            pen = _pen(i)
+            axes.plot([p.seconds for p in points], [p.error for p in points], linestyle="none", alpha=0.3, zorder=2, **pen)
+            axes.plot([p.seconds for p in front], [p.error for p in front], label=name, zorder=3, **pen)
+        _powers(axes.yaxis)
+        _durations(axes.xaxis)
+        legend(axes, 3)
+        return Figure(key, element(figure, key, caption), caption)
+
+
 @dataclass(frozen=True)
 class Rung:
     label: str

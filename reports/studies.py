@@ -38,7 +38,7 @@ def points_of(case):
     return points, failed
 
 
-def _sweep(points, failed, quantity, key):
+def describe(points, failed, quantity, key):
     """Figure, sentence and times of the settings of one problem."""
     figure = figures.error_against_time(key, points, failed, quantity)
     front = dominance_front(points)
@@ -52,29 +52,31 @@ def _sweep(points, failed, quantity, key):
         text += (f" The default ({default.label}) reaches {words.error(default.error)} in {words.seconds(default.seconds)}: "
                  + ("it is on the front." if factor <= 1.0 + 1e-12 else
                     f"{words.factor(factor)} the time of the fastest setting that is as good"
-                    + ("." if factor <= ACCEPTED_FACTOR else f", above the {ACCEPTED_FACTOR:g} × that a default may cost unexplained.")))
+                    + ("." if factor <= ACCEPTED_FACTOR else f", more than the {ACCEPTED_FACTOR:g} × that a default may cost unexplained.")))
     if failed:
         text += f" {words.count(len(failed), 'setting')} gave no answer."
     times = [time_to(points, level) for level, _ in LEVELS]
-    return {"figure": figure, "words": text, "factor": "no default" if factor is None else words.factor(factor),
+    return {"figure": figure, "words": text, "best": f"{words.error(best.error)} in {words.seconds(best.seconds)} ({best.label})",
+            "factor": "no default" if factor is None else words.factor(factor),
             "times": [{"seconds": words.seconds(t.seconds) if t else "not reached", "setting": t.label if t else ""} for t in times]}
 
 
 def sweep(case):
     """Figure, sentence and times of one case's sweep."""
     points, failed = points_of(case)
-    return {"case": case, **_sweep(points, failed, case.sweep.error, f"sweep-{case.anchor}")}
+    return {"case": case, **describe(points, failed, case.sweep.error, f"sweep-{case.anchor}")}
 
 
-def joint_sweep(named_cases, quantity, key):
-    """The sweeps of several cases that ask the same of one problem in one figure; `named_cases`: [(name, case)]. The default
-    is that of the first."""
+def joint_points(named_cases):
+    """Points and failed times of several cases that ask the same of one problem; `named_cases`: [(name, case)]. The default is
+    that of the first."""
     joint, without_answer = [], []
     for i, (name, case) in enumerate(named_cases):
         points, failed = points_of(case)
-        joint += [replace(p, standard=p.standard and i == 0, series=", ".join(filter(None, (name, p.series))), label=", ".join(filter(None, (name, p.label)))) for p in points]
+        joint += [replace(p, standard=p.standard and i == 0, series=", ".join(filter(None, (name, p.series))),
+                          label=", ".join(filter(None, (name, p.label)))) for p in points]
         without_answer += failed
-    return _sweep(joint, without_answer, quantity, key)
+    return joint, without_answer
 
 
 def sweeps(cases):
