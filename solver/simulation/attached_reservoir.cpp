@@ -9,8 +9,12 @@
 #include "solver/reservoir/face_water.hpp"
 #include "solver/scene/scene_error.hpp"
 #include "solver/simulation/attached_medium.hpp"
+#include "solver/simulation/built_parts.hpp"
 
 namespace sunder::simulation {
+
+const bool built::reservoir = true;
+
 namespace {
 
 /// The wet part of the boundary as module reservoir wants it.
@@ -134,6 +138,8 @@ std::unique_ptr<AttachedMedium> attach_reservoir(const scene::Scene& scene, cons
   for (const int node : wet.nodes) medium->dofs.push_back(2 * node);
   medium->convolution = at_reservoir(scene, [&] { return convolution_of(*scene.reservoir, wet, plan, pool); });
   medium->driven_by = DrivenBy::total;
+  const bool remembers = scene.reservoir->model == scene::ReservoirModel::compressible;
+  medium->worker = remembers ? "convolution" : "reservoir";
   visit.add_entries(static_cast<long long>(wet.nodes.size()) * static_cast<long long>(wet.nodes.size()));
   return medium;
 }
