@@ -9,7 +9,7 @@ import pathlib
 import sys
 import time
 
-from reports import bibliography, compare, crack_water, figures, koyna, page, pdf, peers, records, scenes
+from reports import bibliography, compare, costs, crack_water, figures, kill_matrix, koyna, page, pdf, peers, records, scenes
 from reports.browser import BrowserError
 from reports.surroundings import Sources, read as read_surroundings
 
@@ -40,7 +40,8 @@ def main():
         view = page.view(found, layout, bibliography.read(page.HERE.parent / "reference-data/bibliography.bib"),
                          scenes.read(options.records / "scenes", layout) + crack_water.read(options.records / "scenes", layout),
                          koyna.read(options.records / "koyna", layout), peers.read(options.peers) if "peers" in layout else None,
-                         compare.section(options.against, found.cases, dict(found.environment.facts)) if options.against else None)
+                         compare.section(options.against, found.cases, dict(found.environment.facts)) if options.against else None,
+                         costs.read(options.records), kill_matrix.read(options.records / "kill-matrix.jsonl"))
         options.output.mkdir(parents=True, exist_ok=True)
         view["scenes"] += read_surroundings(Sources(options.records / "surroundings", options.cases, found.benchmarks), layout)
         write(options.output / "index.html", page.render(view).encode())

@@ -108,9 +108,9 @@ def _families(cases, works):
             for family, name in names.items() if any(c.family == family for c in cases)]
 
 
-def view(records, layout, works, scenes, koyna=None, peers=None, changes=None):
+def view(records, layout, works, scenes, koyna=None, peers=None, changes=None, costs=None, kill_matrix=None):
     """Everything the template shows, as plain values. `works`: the bibliography; `scenes`: of scenes.read; `koyna`: of koyna.read;
-    `peers`: of peers.read; `changes`: of compare.section."""
+    `peers`: of peers.read; `changes`: of compare.section; `costs`: of costs.read; `kill_matrix`: of kill_matrix.read."""
     cases = records.cases
     hero, numbers = problems.first(layout, cases), [_number(n, cases, works) for n in layout["number"]]
     benchmark_figures = studies.benchmark_figures(layout, records.benchmarks)
@@ -126,7 +126,7 @@ def view(records, layout, works, scenes, koyna=None, peers=None, changes=None):
     return {
         "contents": [entry for entry in CONTENTS if (koyna or entry[0] != "koyna") and (peers or entry[0] != "peers")], "koyna": koyna, "headline": headline, "verdict": evidence.verdict(cases), "facts": evidence.facts(cases),
         "matrix": evidence.trust_matrix(cases), "hero": hero, "command": layout["command"],
-        "numbers": numbers, "scenes": scenes, "problems": shown, "sweeps": sweeps, "peers": peers, "peers_words": layout.get("peers", {}).get("words", ""), "changes": changes, "levels": [w for _, w in LEVELS],
+        "numbers": numbers, "scenes": scenes, "problems": shown, "sweeps": sweeps, "peers": peers, "peers_words": layout.get("peers", {}).get("words", ""), "changes": changes, "costs": costs, "kill_matrix": kill_matrix, "levels": [w for _, w in LEVELS],
         "ladders": ladders, "kills": evidence.kills(cases),
         "benchmark_figures": benchmark_figures, "benchmark_tables": studies.benchmark_tables(records.benchmarks), "families": _families(cases, works),
         "statuses": [s for s in STATUSES if any(c.status == s for c in cases)],
