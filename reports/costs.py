@@ -25,12 +25,14 @@ def counts(path):
 
 
 def ablation(path):
-    """The table that `sunder ablate` prints: columns are two or more spaces apart."""
-    lines = [re.split(r"\s{2,}", line.strip()) for line in path.read_text(encoding="utf-8").splitlines() if line.strip()]
-    width = max(map(len, lines), default=0)
-    table = [line for line in lines if len(line) == width]
-    return {"name": path.stem.replace("-", " "), "head": table[0], "rows": table[1:],
-            "notes": [" ".join(line) for line in lines if len(line) != width]} if width > 1 and len(table) > 1 else None
+    """The table that `sunder ablate` prints: a title, a line of headings, rows whose cells end below their heading, remarks."""
+    title, _, rest = path.read_text(encoding="utf-8").partition("\n\n")
+    table, _, remarks = rest.partition("\n\n")
+    head, *rows = table.splitlines()
+    ends = [m.end() for m in re.finditer(r"\S+(?: \S+)*", head)]
+    ends[0] = max(len(re.match(r"\S*(?: \S+)*", row).group()) for row in [head, *rows])  # the first column stands to the left
+    cells = [[line[begin:end].strip() for begin, end in zip([0, *ends], ends)] for line in [head, *rows]]
+    return {"name": title.split(":")[0], "head": cells[0], "rows": cells[1:], "notes": [line for line in remarks.splitlines() if line]}
 
 
 def _two_cores(path):
@@ -49,7 +51,7 @@ def read(records, history_folder=ROOT / "benchmarks/history", limits=ROOT / "ben
         "trend": history.trend("cost-trend", course, "counts", "instructions", "Instructions of each marked region over the commits, of the first record") if course else None,
         "steps": [f"{name}: {words.factor(factor)} from {before} to {commit}" for name, before, commit, factor in history.steps(course, "counts", "instructions")],
         "two_cores": _two_cores(cores) if cores.is_file() else None,
-        "ablations": [table for path in sorted((records / "ablation").glob("*.txt")) if (table := ablation(path))],
+        "ablations": [ablation(path) for path in sorted((records / "ablation").glob("*.txt"))],
     }
     missing = (("counts", "counted instructions", "ci/counts --update"), ("trend", "a history of counts", "ci/history append"),
                ("two_cores", "the profile on two cores", "ci/benchmark"), ("ablations", "what each part of a scene costs", "ci/report"))

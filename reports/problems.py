@@ -16,15 +16,16 @@ def _problem(wanted, cases, key):
             raise LayoutError(f"layout: problem {wanted['title']!r}: no record of the case {entry['case']!r}")
         if not case.sweep.error:
             raise LayoutError(f"layout: problem {wanted['title']!r}: {case.id} has no sweep with an error")
-        named.append((entry.get("name", ""), case))
+        named.append((entry.get("name", ""), case, entry.get("series")))
     points, failed = studies.joint_points(named)
-    shown = studies.describe(points, failed, wanted["quantity"], key)
-    factor = default_factor(points)
+    known = max(studies.known_to(case) for _, case, _ in named)
+    shown = studies.describe(points, failed, wanted["quantity"], key, known)
+    factor = default_factor(points, known)
     among = [p for p in points if any(p.series.startswith(name) for name in wanted["among"])] if "among" in wanted else []
     if among and factor is not None and factor > ACCEPTED_FACTOR:
-        shown["words"] += f" Among {wanted['among_words']} alone it is {words.factor(default_factor(among))}."
+        shown["words"] += f" Among {wanted['among_words']} alone it is {words.factor(default_factor(among, known))}."
     explained = wanted.get("explained", "")
-    return {"title": wanted["title"], "cases": [case for _, case in named], **shown, "lead": wanted.get("words", ""),
+    return {"title": wanted["title"], "cases": [case for _, case, _ in named], **shown, "lead": wanted.get("words", ""),
             "explained": explained if factor is not None and factor > ACCEPTED_FACTOR else "",
             "unexplained": factor is not None and factor > ACCEPTED_FACTOR and not explained}
 

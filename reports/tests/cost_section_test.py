@@ -21,6 +21,18 @@ reason = "-"
 """
 
 
+# As `sunder ablate` prints it.
+ABLATION = """Koyna: what each part costs and changes
+
+left out                 CPU [s]  its share  K_I [MPa√m]
+nothing                     12.1                     4.2
+ground motion: vertical       11        9 %     4 (−5 %)
+gravity                      0.1                       –
+
+without gravity: refused: no
+"""
+
+
 class CostSection(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -36,11 +48,13 @@ class CostSection(unittest.TestCase):
     def test_counts_and_the_table_of_parts(self):
         (self.folder / "limits.toml").write_text(LIMITS)
         (self.folder / "ablation").mkdir()
-        (self.folder / "ablation/koyna.txt").write_text("One run each.\npart     CPU [s]  uplift [MN/m]\nwhole        3.1           4.2\ncontact      2.0  5.0 (+19 %)\n")
+        (self.folder / "ablation/koyna.txt").write_text(ABLATION)
         found = costs.read(self.folder, self.folder, self.folder / "limits.toml")
         self.assertEqual([(r["name"], r["instructions"], r["peak"]) for r in found["counts"]], [("direct convolution", "12\u202f345\u202f678", "2 MB")])
-        self.assertEqual(found["ablations"], [{"name": "koyna", "head": ["part", "CPU [s]", "uplift [MN/m]"],
-                                               "rows": [["whole", "3.1", "4.2"], ["contact", "2.0", "5.0 (+19 %)"]], "notes": ["One run each."]}])
+        self.assertEqual(found["ablations"], [{
+            "name": "Koyna", "head": ["left out", "CPU [s]", "its share", "K_I [MPa√m]"],
+            "rows": [["nothing", "12.1", "", "4.2"], ["ground motion: vertical", "11", "9 %", "4 (−5 %)"], ["gravity", "0.1", "", "–"]],
+            "notes": ["without gravity: refused: no"]}])
 
 
 if __name__ == "__main__":

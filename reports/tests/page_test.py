@@ -106,7 +106,7 @@ class Contents(Folder):
                 folder = pathlib.Path(name)
                 synthetic.write(folder, cases=cases)
                 layout = page.read_layout(LAYOUT)
-                layout["problem"][0]["explained"] = explained
+                layout["problem"] = [{**layout["problem"][0], "explained": explained}]
                 text = page.render(page.view(records.read(folder, folder / "cases"), layout, WORKS, []))
                 self.assertEqual("✗ not explained" in text, not explained)
                 self.assertEqual("It holds a dam." in text, bool(explained))
