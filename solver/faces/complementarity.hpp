@@ -36,6 +36,9 @@ class ComplementarityProblem {
 
   int exchanges() const { return exchanges_; }  ///< of the last solve
   void forget() { touching_.assign(touching_.size(), 0); }
+  /// Of the last problem, the next one's first guess (largest): 1 where a pair touches.
+  const std::vector<char>& touching() const { return touching_; }
+  void begin_with(const std::vector<char>& touching) { touching_ = touching; }
   bool touches(Eigen::Index pair) const { return touching_[static_cast<std::size_t>(pair)] != 0; }
 
  private:

@@ -92,6 +92,26 @@ void FaceStep::begin_with(const Eigen::Ref<const VectorXd>& opening, const Eigen
   if (options_.contact == ContactRule::penalty) stiffness_ = std::fmax(stiffness, options_.initial_stiffness);
 }
 
+FaceStepMemory FaceStep::memory() const {
+  return {.force = result_.force,
+          .motion = result_.motion,
+          .opening = result_.opening,
+          .contact_force = result_.contact_force,
+          .mouth_pressure = result_.mouth_pressure,
+          .touching = complementarity_.touching(),
+          .stiffness = stiffness_};
+}
+
+void FaceStep::go_on(const FaceStepMemory& memory) {
+  result_.force = memory.force;
+  result_.motion = memory.motion;
+  result_.opening = memory.opening;
+  result_.contact_force = memory.contact_force;
+  result_.mouth_pressure = memory.mouth_pressure;
+  complementarity_.begin_with(memory.touching);
+  stiffness_ = memory.stiffness;
+}
+
 double FaceStep::compliance(Index pair) const {
   return options_.contact == ContactRule::penalty ? 1.0 / (stiffness_ * structure_.tributary_length[pair]) : 0.0;
 }

@@ -84,6 +84,13 @@ struct FaceStepResult {
   int enlargements = 0, iterations = 0, water_trials = 0, parts = 0;
 };
 
+/// What one solve leaves for the next: its answer and the pairs that touched, from which the next one starts.
+struct FaceStepMemory {
+  Eigen::VectorXd force, motion, opening, contact_force, mouth_pressure;  ///< as in FaceStepResult
+  std::vector<char> touching;                                             ///< (pairs)
+  double stiffness = 0.0;                                                 ///< k [N/m³]
+};
+
 /// Solves step after step. Holds all memory: `solve` allocates nothing.
 class FaceStep {
  public:
@@ -100,6 +107,10 @@ class FaceStep {
   /// The answer from which the first solve starts, as after a growth event: openings and contact forces (pairs), k.
   void begin_with(const Eigen::Ref<const Eigen::VectorXd>& opening,
                   const Eigen::Ref<const Eigen::VectorXd>& contact_force, double stiffness);
+
+  FaceStepMemory memory() const;
+  /// Goes on as the FaceStep of the same structure that `memory` is of.
+  void go_on(const FaceStepMemory& memory);
 
   const FaceStepResult& result() const { return result_; }
   const FaceStructure& structure() const { return structure_; }

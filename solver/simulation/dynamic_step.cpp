@@ -122,6 +122,12 @@ FaceWork DynamicStep::accept(const MotionState& next, const Eigen::Vector2d& gro
   return work;
 }
 
+void DynamicStep::go_on(const StepMemory& memory) {
+  memory_ = memory.faces;
+  before_motion_ = memory.motion;
+  faces_->go_on(memory.solve);
+}
+
 VectorXd DynamicStep::unbalanced(const MotionState& state, const StepLoad& load) const {
   const dynamics::Rayleigh& damping = equations_.options().damping;
   VectorXd sum =

@@ -4,7 +4,6 @@
 #include <cstdio>
 
 #include "solver/simulation/analyses.hpp"
-#include "solver/simulation/checkpoint.hpp"
 #include "solver/simulation/dynamic_run.hpp"
 #include "solver/simulation/static_start.hpp"
 
@@ -180,6 +179,9 @@ void DynamicRun::finish() {
   record_->write(found);
   found["energy_balance_error"] = energy_.balance_error();
   found["end_time"] = state_.time;
+  for (const AttachedMedium* medium : around_->media()) {
+    if (medium->memory_error) found[medium->name + "_memory_error"] = *medium->memory_error;
+  }
   if (!end_event_.empty()) found["end"] = end_event_ + " at " + time_text();
   if (scene_.propagation) {
     results::Quantity::List lengths, paths;
@@ -210,6 +212,7 @@ void DynamicRun::go() {
                                                           .water = scene_.crack_water.has_value(),
                                                           .propagation = scene_.propagation.has_value()},
                                             static_cast<std::size_t>(steps));
+  if (has_checkpoints()) identity_ = identity();  // of the body before it grows
   if (options_.resume) {
     go_on();
   } else {
@@ -231,9 +234,9 @@ void DynamicRun::go() {
       note_profiles();
       write_fields();
       ledger_.count("steps");
-      if (wants_checkpoint(number)) keep();
       if (scene_.propagation && number < steps && !grow_cracks()) break;
       if (!end_event_.empty()) break;
+      if (wants_checkpoint(number)) keep();
       if (options_.progress && number % 16 == 0)
         options_.progress("steps", static_cast<double>(number) / static_cast<double>(steps));
     }
