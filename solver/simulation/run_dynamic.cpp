@@ -122,7 +122,10 @@ StepRecord DynamicRun::observe() const {
     record.cracks.push_back(observe_crack(c, pair));
     pair += body_.cracks[c].pairs.count();
   }
-  record.face_iterations = step_->faces() != nullptr ? step_->faces()->result().iterations : 0;
+  if (step_->faces() != nullptr && number_ > 0) {
+    record.face_iterations = step_->faces()->result().iterations;
+    record.face_residual = step_->faces()->result().residual;
+  }
   return record;
 }
 
