@@ -9,8 +9,12 @@
 #include "solver/reservoir/face_water.hpp"
 #include "solver/scene/scene_error.hpp"
 #include "solver/simulation/attached_medium.hpp"
+#include "solver/simulation/built_parts.hpp"
 
 namespace sunder::simulation {
+
+const bool built::reservoir = true;
+
 namespace {
 
 /// The wet part of the boundary as module reservoir wants it.
@@ -134,6 +138,8 @@ std::unique_ptr<AttachedMedium> attach_reservoir(const scene::Scene& scene, cons
   for (const int node : wet.nodes) medium->dofs.push_back(2 * node);
   medium->convolution = at_reservoir(scene, [&] { return convolution_of(*scene.reservoir, wet, plan, pool); });
   medium->driven_by = DrivenBy::total;
+  const bool remembers = scene.reservoir->model == scene::ReservoirModel::compressible;
+  medium->worker = remembers ? "convolution" : "reservoir";
   visit.add_entries(static_cast<long long>(wet.nodes.size()) * static_cast<long long>(wet.nodes.size()));
   return medium;
 }
@@ -144,11 +150,6 @@ Eigen::VectorXd reservoir_pressure_weights(const scene::Scene& scene, const Body
       at_reservoir(scene, [&] { return reservoir::pressure_mesh(wet.face, *scene.reservoir->level); });
   // R acts on the water in +x; the functional wants forces that push into the water
   return wet.into_water * reservoir::pressure_functional(mesh, height);
-}
-
-double reservoir_pressure_at_rest(const scene::Scene& scene, double height) {
-  const double gravity = scene.gravity.value_or(scene::Gravity{}).acceleration;
-  return reservoir::hydrostatic_pressure(scene.reservoir->density, gravity, *scene.reservoir->level, height);
 }
 
 }  // namespace sunder::simulation

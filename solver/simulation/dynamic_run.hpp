@@ -35,6 +35,10 @@ class DynamicRun {
   bool grow_tip(std::size_t crack, const mesh::Point& to);
 
   void make_step(const FaceMemory& memory);
+  /// The equations between the faces belong to contact where the scene has it; without, to nobody but themselves.
+  const char* face_part() const { return scene_.contact ? "contact" : "faces"; }
+  void charge_faces();
+  void charge_parts();
   StepRecord observe() const;
   CrackRecord observe_crack(std::size_t crack, Eigen::Index first_pair) const;
   FaceMemory remembered(const DynamicBody& before) const;

@@ -78,7 +78,11 @@ bool DynamicStep::solve(const MotionState& state, const StepLoad& start, const S
     }
     mouth_pressure_[static_cast<Index>(c)] = pressure;
   }
-  const faces::FaceStepResult& result = faces_->solve(motion_, mouth_pressure_, equations_.options().time_step);
+  {
+    const numerics::Meter::Lap lap(face_work_);
+    (void)faces_->solve(motion_, mouth_pressure_, equations_.options().time_step);
+  }
+  const faces::FaceStepResult& result = faces_->result();
   d_.noalias() += X_ * result.force;
   equations_.advance(state, d_, next);
   return result.status == faces::FaceStatus::solved;

@@ -46,6 +46,7 @@ class DynamicStep {
   /// nullptr without cracks.
   const faces::FaceStep* faces() const { return faces_.get(); }
   const FaceMemory& memory() const { return memory_; }
+  const numerics::Meter& face_work() const { return face_work_; }  ///< of the faces' equations, their water included
 
   /// What is out of balance at `state`: M a + C v + K u + ΣR - f - L y (dofs) [N/m]. After a growth event, the force
   /// that had held the new faces together.
@@ -61,6 +62,7 @@ class DynamicStep {
   FaceMemory memory_;
   StepLoad start_;
   MotionState trial_;
+  numerics::Meter face_work_;
   Eigen::VectorXd d_, motion_, before_motion_, mouth_pressure_, force_of_medium_;
 };
 

@@ -106,6 +106,7 @@ void MovingWater::place(std::span<const double> openings) {
 
 bool MovingWater::trial(std::span<const double> openings, double mouth_pressure, double time_step,
                         faces::WaterForces& result) {
+  const numerics::Meter::Lap lap(work_);
   place(openings);
   crackwater::MouthPressures mouths{.upstream = mouth_pressure, .downstream = {}};
   if (!nodes_.has_tip) mouths.downstream = 0.0;  // the crack has come out at a dry face

@@ -30,12 +30,31 @@ std::string DynamicRun::time_text() const {
 
 void DynamicRun::make_step(const FaceMemory& memory) {
   Ledger::Visit visit(ledger_, "numerics", "factorisation");
+  charge_faces();
   const std::vector<VectorXd> forces = step_ ? step_->equations().medium_forces() : std::vector<VectorXd>();
   step_ = std::make_unique<DynamicStep>(body_, around_->media(), mouths_, waters_, step_options_, face_options_, memory,
                                         state_);
   if (!forces.empty()) step_->equations().begin_with(forces);
   ledger_.count("factorisations");
   if (step_->status() == numerics::FactorStatus::factorised) visit.add_entries(step_->equations().factor_entries());
+}
+
+/// Moves what the faces cost since their equations were made to the part that asked for them.
+void DynamicRun::charge_faces() {
+  if (step_) ledger_.move("dynamics", face_part(), step_->face_work());
+}
+
+/// Moves what each step cost outside the body to the parts that did it.
+void DynamicRun::charge_parts() {
+  charge_faces();
+  for (const auto& water : waters_) {
+    if (const auto* moving = dynamic_cast<const MovingWater*>(water.get())) {
+      ledger_.move(face_part(), "crackwater", moving->work());
+    }
+  }
+  for (const AttachedMedium* medium : around_->constant_media()) {
+    ledger_.move("dynamics", medium->worker, medium->work);
+  }
 }
 
 bool DynamicRun::begin() {
@@ -221,6 +240,7 @@ void DynamicRun::go() {
         options_.progress("steps", static_cast<double>(number) / static_cast<double>(steps));
     }
   }
+  charge_parts();
   if (has_checkpoints() && summary_.completed()) std::filesystem::remove(checkpoint_file(options_.output));
   finish();
 }

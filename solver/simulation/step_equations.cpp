@@ -146,7 +146,10 @@ const VectorXd& StepEquations::trial(const MotionState& state, const StepLoad& s
     const AttachedMedium& medium = *media_[m];
     VectorXd& history = histories_[m];
     VectorXd& known = medium_work_[m];
-    medium.convolution->history_force(history);
+    {
+      const numerics::Meter::Lap lap(medium.work);
+      medium.convolution->history_force(history);
+    }
     // the part of the total acceleration that is known beforehand: the ground's
     for (std::size_t i = 0; i < medium.dofs.size(); ++i) {
       known[static_cast<Index>(i)] = medium.driven_by == DrivenBy::total ? end.ground[medium.dofs[i] % 2] : 0.0;
@@ -193,6 +196,7 @@ void StepEquations::accept(const MotionState& next, const Eigen::Vector2d& groun
     if (medium.driven_by == DrivenBy::total) {
       for (std::size_t i = 0; i < medium.dofs.size(); ++i) felt[static_cast<Index>(i)] += ground[medium.dofs[i] % 2];
     }
+    const numerics::Meter::Lap lap(medium.work);
     medium.convolution->append(felt);
   }
 }

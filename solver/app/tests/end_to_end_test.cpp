@@ -149,6 +149,9 @@ TEST(EndToEnd, FieldsAreTheSameBytesForOneAndTwoThreads) {
   const std::string one = folder.read("with-1/results.h5");
   EXPECT_FALSE(one.empty());
   EXPECT_TRUE(one == folder.read("with-2/results.h5"));
+  ASSERT_EQ(wait_for(start({"run", "block.toml", "--output", "with-1"}, folder)), 0) << folder.read("err.txt");
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "with-1/results.h5"))
+      << "fields of an earlier run are not its own";
 }
 
 TEST(EndToEnd, CtrlCLeavesAWholeSummaryOrNone) {

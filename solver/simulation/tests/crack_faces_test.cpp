@@ -4,15 +4,17 @@
 #include <string>
 
 #include "solver/sbfem/assembly.hpp"
-#include "solver/scene/reader.hpp"
 #include "solver/simulation/crack_face_loads.hpp"
 #include "solver/simulation/moving_water.hpp"
-#include "solver/simulation/run.hpp"
 #include "solver/simulation/static_loads.hpp"
 #include "solver/simulation/static_solution.hpp"
+#include "solver/simulation/tests/scene_runs.hpp"
 
 namespace sunder::simulation {
 namespace {
+
+using tests::number;
+using tests::scene_of;
 
 using Eigen::VectorXd;
 
@@ -41,12 +43,7 @@ boundary = "base"
 fix = ["x", "y"]
 )";
   const std::vector<scene::Override> overrides{{"mesh.order", std::to_string(order)}};
-  return scene::read_scene_text(text, "block.scene.toml", overrides);
-}
-
-double number(const results::RunSummary& summary, const char* path) {
-  const results::Quantity* quantity = summary.quantities.find(path);
-  return quantity != nullptr && quantity->number() != nullptr ? *quantity->number() : NAN;
+  return scene_of(text, overrides);
 }
 
 struct Block {

@@ -7,14 +7,16 @@
 #include <string>
 
 #include "solver/crack/crack_faces.hpp"
-#include "solver/scene/reader.hpp"
 #include "solver/scene/scene_error.hpp"
-#include "solver/simulation/run.hpp"
 #include "solver/simulation/state_transfer.hpp"
 #include "solver/simulation/static_state.hpp"
+#include "solver/simulation/tests/scene_runs.hpp"
 
 namespace sunder::simulation {
 namespace {
+
+using tests::number;
+using tests::scene_of;
 
 const char* const plate = R"(
 name = "edge crack"
@@ -44,10 +46,6 @@ fix = ["x", "y"]
 point = [1, 1]
 fix = ["x"]
 )";
-
-scene::Scene scene_of(const std::string& text, const std::vector<scene::Override>& overrides = {}) {
-  return scene::read_scene_text(text, "test.scene.toml", overrides);
-}
 
 struct Start {
   scene::Scene scene;
@@ -164,11 +162,6 @@ TEST(StateTransfer, RefusesFieldsOfAnotherBody) {
 }
 
 const std::string growing = std::string(plate) + "[propagation]\nfracture_toughness = 1\nincrement = 0.1\nsteps = 4\n";
-
-double number(const results::RunSummary& summary, const std::string& path) {
-  const results::Quantity* quantity = summary.quantities.find(path);
-  return quantity != nullptr && quantity->number() != nullptr ? *quantity->number() : NAN;
-}
 
 std::string text(const results::RunSummary& summary, const std::string& path) {
   const results::Quantity* quantity = summary.quantities.find(path);
