@@ -24,7 +24,7 @@
 ///     2.  |p - p* - R y|∞ ≤ pressure_tolerance · (|p*|∞ + 1 kPa)       mouth
 ///     3.  |min(g + λ/(k L), λ S_ii)|∞ ≤ the bound of 1                 complementarity
 ///     4.  -g ≤ penetration_tolerance                                   with contact
-/// and the water's own balance holds to round-off in every trial.
+/// and where the water's own solution was found: its balance then holds to round-off.
 
 #include <Eigen/Core>
 #include <Eigen/LU>
@@ -137,6 +137,7 @@ class FaceStep {
   std::vector<Eigen::Index> rows_;  // force of each pair
   std::vector<WaterForces> waters_;
   bool wet_ = false;
+  bool water_found_ = true;  // by all waters at the place where they were applied last
   // for one solve: what is approached, and what the continuation has reached
   Eigen::VectorXd motion_, mouth_, motion_from_, mouth_from_, motion_goal_, mouth_goal_;
   Eigen::VectorXd force_, moved_;

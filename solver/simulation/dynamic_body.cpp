@@ -44,9 +44,8 @@ DynamicBody dynamic_body(const scene::Scene& scene, Body body, sbfem::Formation 
   result.interior = interior_loads(without_water, result.body, result.formation, pool, earlier, LoadDetail::forces);
   result.dead_load = boundary_forces(without_water, result.body) + crack_face_forces(without_water, result.body) +
                      result.interior.force;
-  const double gravity = scene.gravity ? scene.gravity->acceleration : 0.0;
   for (int crack = 0; crack < static_cast<int>(result.body.polygons.cracks.size()); ++crack) {
-    result.cracks.push_back(crack_face_loads(result.body, result.formation, crack, gravity));
+    result.cracks.push_back(crack_face_loads(without_water, result.body, result.formation, crack));
   }
   join_loads(result);
   return result;

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "solver/numerics/planted_fault.hpp"
 #include "solver/simulation/dynamic_run.hpp"
 #include "solver/simulation/state_transfer.hpp"
 
@@ -146,7 +147,7 @@ bool DynamicRun::grow_tip(std::size_t crack, const mesh::Point& to) {
   around_->load_at(number_, body_.dead_load, start_);
   end_ = start_;
   energy_.grow(step_->equations(), state_);
-  released_ = step_->unbalanced(state_, start_);
+  if (!numerics::planted_fault("simulation/release-not-accounted")) released_ = step_->unbalanced(state_, start_);
   visit.add_entries(step_->equations().factor_entries());
   return true;
 }

@@ -142,7 +142,9 @@ void DynamicRun::observe(StepRecord& record) const {
     record.cracks.push_back(observe_crack(c, pair));
     pair += body_.cracks[c].pairs.count();
   }
-  record.face_iterations = step_->faces() != nullptr ? step_->faces()->result().iterations : 0;
+  const bool stepped = step_->faces() != nullptr && number_ > 0;
+  record.face_iterations = stepped ? step_->faces()->result().iterations : 0;
+  record.face_residual = stepped ? step_->faces()->result().residual : 0.0;
 }
 
 bool DynamicRun::step(long long number) {
