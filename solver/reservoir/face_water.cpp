@@ -115,7 +115,7 @@ convolution::WeightSequence face_weights(const FaceModes& modes, double time_ste
     mine.along.imag() = mine.imaginary;
     mine.scaled = mine.along;
     for (Eigen::Index j = 0; j < m; ++j) mine.scaled.row(j) *= density / outgoing_root(S * S + mine.root.values()[j]);
-    M.noalias() = mine.along.transpose() * mine.scaled;
+    M.triangularView<Eigen::Lower>() = mine.along.transpose() * mine.scaled;
   };
   return convolution::contour_weights(n, time_step, last, mass, {.pool = pool});
 }

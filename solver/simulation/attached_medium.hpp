@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "solver/convolution/convolution.hpp"
+#include "solver/numerics/meter.hpp"
 #include "solver/numerics/thread_pool.hpp"
 #include "solver/scene/scene.hpp"
 #include "solver/simulation/body.hpp"
@@ -26,7 +27,9 @@ struct AttachedMedium {
   std::vector<int> dofs;  ///< (n) of the body, 2·node + component, ascending; R acts on the medium, the body feels -R
   std::unique_ptr<convolution::Convolution> convolution;
   DrivenBy driven_by = DrivenBy::total;
-  std::vector<std::string> warnings = {};   ///< words for the run's summary
+  std::string worker = {};                 ///< the part that works in each step: "convolution" where there is a history
+  mutable numerics::Meter work = {};       ///< of the convolution in each step; a constant medium is metered too
+  std::vector<std::string> warnings = {};  ///< words for the run's summary
   std::optional<double> memory_error = {};  ///< stated, of the kernel's sum; absent where the convolution is exact
 };
 

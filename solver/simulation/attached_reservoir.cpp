@@ -10,8 +10,12 @@
 #include "solver/reservoir/face_water.hpp"
 #include "solver/scene/scene_error.hpp"
 #include "solver/simulation/attached_medium.hpp"
+#include "solver/simulation/built_parts.hpp"
 
 namespace sunder::simulation {
+
+const bool built::reservoir = true;
+
 namespace {
 
 /// The wet part of the boundary as module reservoir wants it.
@@ -159,6 +163,8 @@ std::unique_ptr<AttachedMedium> attach_reservoir(const scene::Scene& scene, cons
     }
   });
   medium->driven_by = DrivenBy::total;
+  const bool remembers = scene.reservoir->model == scene::ReservoirModel::compressible;
+  medium->worker = remembers ? "convolution" : "reservoir";
   visit.add_entries(static_cast<long long>(wet.nodes.size()) * static_cast<long long>(wet.nodes.size()));
   return medium;
 }

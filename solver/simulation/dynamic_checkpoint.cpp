@@ -157,6 +157,7 @@ void DynamicRun::go_on() {
   next_ = state_;
   if (kept.cracked) go_on_with_cracks(kept.cracks);
   step_->equations().begin_with(kept.medium_forces);
+  step_->equations().stand_at(state_);
   media_before_ = kept.medium_forces;
   around_->load_at(number_, body_.dead_load, start_);
   end_ = start_;

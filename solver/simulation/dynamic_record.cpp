@@ -100,6 +100,7 @@ void DynamicRecord::add(const StepRecord& step, const Energies& energies) {
   crest_high_ = std::fmax(crest_high_, moved);
   begun_ = true;
   peak_force_ = std::fmax(peak_force_, std::abs(step.hydrodynamic_force));
+  face_residual_ = std::fmax(face_residual_, step.face_residual);
   for (std::size_t i = 0; i < step.cracks.size(); ++i) {
     widest_mouth_[i] = std::fmax(widest_mouth_[i], step.cracks[i].mouth_opening);
     penetration_ = std::fmax(penetration_, step.cracks[i].penetration);
@@ -151,6 +152,7 @@ void DynamicRecord::write(Quantity& quantities) const {
   if (parts_.cracks == 0) return;
   quantities["max_crack_mouth_opening"] = one_or_list(widest_mouth_);
   quantities["max_penetration"] = penetration_;
+  quantities["max_face_residual"] = face_residual_;
   quantities["max_K_I"] = one_or_list(highest_K_I_);
   quantities["max_K_I_time"] = one_or_list(highest_K_I_time_);
 }

@@ -37,7 +37,11 @@ class DynamicRun {
   bool take_body(Growth growth, DynamicBody& before);
 
   void make_step(const FaceMemory& memory);
-  StepRecord observe() const;
+  /// The part of the scene that asked for the equations between the faces: contact before water before the crack.
+  const char* face_part() const { return scene_.contact ? "contact" : scene_.crack_water ? "crackwater" : "crack"; }
+  void charge_faces();
+  void charge_parts();
+  void observe(StepRecord& record) const;
   CrackRecord observe_crack(std::size_t crack, Eigen::Index first_pair) const;
   FaceMemory remembered(const DynamicBody& before) const;
   bool held_closed(std::size_t crack) const;

@@ -53,6 +53,7 @@ class DynamicStep {
   /// nullptr without cracks.
   const faces::FaceStep* faces() const { return faces_.get(); }
   const FaceMemory& memory() const { return memory_; }
+  const numerics::Meter& face_work() const { return face_work_; }  ///< of the faces' equations, their water included
 
   /// Of a step with cracks.
   StepMemory step_memory() const { return {.faces = memory_, .motion = before_motion_, .solve = faces_->memory()}; }
@@ -73,7 +74,9 @@ class DynamicStep {
   FaceMemory memory_;
   StepLoad start_;
   MotionState trial_;
-  Eigen::VectorXd d_, motion_, before_motion_, mouth_pressure_, force_of_medium_;
+  numerics::Meter face_work_;
+  Eigen::VectorXd d_, motion_, before_motion_, mouth_pressure_;
+  std::vector<Eigen::RowVectorXd> of_acceleration_;  // pressure at each mouth of a unit acceleration of its medium
 };
 
 }  // namespace sunder::simulation

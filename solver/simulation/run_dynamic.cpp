@@ -29,12 +29,31 @@ std::string DynamicRun::time_text() const {
 
 void DynamicRun::make_step(const FaceMemory& memory) {
   Ledger::Visit visit(ledger_, "numerics", "factorisation");
+  charge_faces();
   const std::vector<VectorXd> forces = step_ ? step_->equations().medium_forces() : std::vector<VectorXd>();
   step_ = std::make_unique<DynamicStep>(body_, around_->media(), mouths_, waters_, step_options_, face_options_, memory,
                                         state_);
   if (!forces.empty()) step_->equations().begin_with(forces);
   ledger_.count("factorisations");
   if (step_->status() == numerics::FactorStatus::factorised) visit.add_entries(step_->equations().factor_entries());
+}
+
+/// Moves what the faces cost since their equations were made to the part that asked for them.
+void DynamicRun::charge_faces() {
+  if (step_) ledger_.move("dynamics", face_part(), step_->face_work());
+}
+
+/// Moves what each step cost outside the body to the parts that did it.
+void DynamicRun::charge_parts() {
+  charge_faces();
+  for (const auto& water : waters_) {
+    if (const auto* moving = dynamic_cast<const MovingWater*>(water.get())) {
+      ledger_.move(face_part(), "crackwater", moving->work());
+    }
+  }
+  for (const AttachedMedium* medium : around_->constant_media()) {
+    ledger_.move("dynamics", medium->worker, medium->work);
+  }
 }
 
 bool DynamicRun::begin() {
@@ -108,21 +127,24 @@ CrackRecord DynamicRun::observe_crack(std::size_t crack, Index first_pair) const
   return record;
 }
 
-StepRecord DynamicRun::observe() const {
-  StepRecord record;
+/// Overwrites the record; its memory is used again.
+void DynamicRun::observe(StepRecord& record) const {
   record.time = state_.time;
   record.crest = state_.displacement.segment<2>(2 * crest_);
+  record.hydrodynamic_force = 0.0;
   for (std::size_t m = 0; m < around_->media().size(); ++m) {
     const AttachedMedium& medium = *around_->media()[m];
     if (medium.name == "reservoir") record.hydrodynamic_force = -step_->equations().medium_forces()[m].sum();
   }
+  record.cracks.clear();
   Index pair = 0;
   for (std::size_t c = 0; c < body_.cracks.size(); ++c) {
     record.cracks.push_back(observe_crack(c, pair));
     pair += body_.cracks[c].pairs.count();
   }
-  record.face_iterations = step_->faces() != nullptr ? step_->faces()->result().iterations : 0;
-  return record;
+  const bool stepped = step_->faces() != nullptr && number_ > 0;
+  record.face_iterations = stepped ? step_->faces()->result().iterations : 0;
+  record.face_residual = stepped ? step_->faces()->result().residual : 0.0;
 }
 
 bool DynamicRun::step(long long number) {
@@ -196,7 +218,7 @@ void DynamicRun::go() {
   if (options_.resume) {
     go_on();
   } else {
-    now_ = observe();
+    observe(now_);
     record_->add(now_, energy_.energies());
     write_fields();
   }
@@ -209,7 +231,7 @@ void DynamicRun::go() {
         break;
       }
       if (!step(number)) break;
-      now_ = observe();
+      observe(now_);
       record_->add(now_, energy_.energies());
       note_profiles();
       write_fields();
@@ -221,6 +243,7 @@ void DynamicRun::go() {
         options_.progress("steps", static_cast<double>(number) / static_cast<double>(steps));
     }
   }
+  charge_parts();
   if (has_checkpoints() && summary_.completed()) std::filesystem::remove(checkpoint_file(options_.output));
   finish();
 }
