@@ -56,7 +56,7 @@ struct Block {
     Ledger ledger;
     body = build_body(scene, ledger);
     formation = sbfem::form(body.nodes, body.materials);
-    faces = crack_face_loads(body, formation, 0, scene.gravity->acceleration);
+    faces = crack_face_loads(scene, body, formation, 0);
   }
 };
 
@@ -73,7 +73,7 @@ TEST(CrackFaceLoads, GiveTheOpeningAndTheFactorsThatAStaticSceneHas) {
     const double wanted = number(wet, "crack_mouth_opening") - number(dry, "crack_mouth_opening");
     EXPECT_NEAR(opening, wanted, 1e-9 * std::abs(wanted)) << order;
     CrackFaceLoads weightless = block.faces;
-    weightless.tip->of_weight.setZero();
+    weightless.tip->of_constant_loads.setZero();
     const Eigen::Vector3d K = weightless.tip->factors(solution.displacement, p, 0.0);
     const double K_I = number(wet, "tips[0].K_I") - number(dry, "tips[0].K_I");
     EXPECT_NEAR(K[0], K_I, 1e-9 * std::abs(K_I)) << order;
