@@ -35,7 +35,7 @@ void visit_cracks(Stream& stream, Memory& cracks) {
   for (auto* values : {&faces.force, &faces.opening, &faces.contact, &cracks.step.motion, &solve.force, &solve.motion,
                        &solve.opening, &solve.contact_force, &solve.mouth_pressure, &cracks.released})
     stream(*values);
-  for (auto* value : {&faces.stiffness, &solve.stiffness}) stream(*value);
+  for (auto* value : {&faces.stiffness, &solve.stiffness, &cracks.face_residual}) stream(*value);
   stream(solve.touching);
   stream.resize(cracks.waters);
   for (auto& water : cracks.waters) visit_water(stream, water);

@@ -36,6 +36,7 @@ struct CrackMemory {
   Eigen::VectorXd released;                     ///< what held new faces together in the last event, empty without one
   std::vector<double> allowances;               ///< of the tips' speed [m], one a crack
   results::Quantity events, profiles;           ///< noted so far
+  double face_residual = 0.0;                   ///< the largest so far
 };
 
 struct Checkpoint {

@@ -63,7 +63,8 @@ CrackMemory DynamicRun::crack_memory() const {
                      .released = released_,
                      .allowances = {},
                      .events = events_,
-                     .profiles = profiles_};
+                     .profiles = profiles_,
+                     .face_residual = record_->largest_face_residual()};
   for (const fracture::SpeedAllowance& allowance : allowances_) memory.allowances.push_back(allowance.length);
   if (scene_.crack_water && scene_.crack_water->model == scene::CrackWaterModel::moving) {
     for (const auto& water : waters_) {
@@ -162,7 +163,7 @@ void DynamicRun::go_on() {
   around_->load_at(number_, body_.dead_load, start_);
   end_ = start_;
   energy_.go_on(step_->equations(), state_, kept.energy);
-  record_->read_rows(kept.history);
+  record_->read_rows(kept.history, kept.cracks.face_residual);
 }
 
 }  // namespace sunder::simulation

@@ -111,7 +111,8 @@ void DynamicRecord::add(const StepRecord& step, const Energies& energies) {
   }
 }
 
-void DynamicRecord::read_rows(std::span<const double> rows) {
+void DynamicRecord::read_rows(std::span<const double> rows, double largest_face_residual) {
+  face_residual_ = largest_face_residual;
   const std::size_t width = history_.columns().size();
   for (; rows.size() >= width; rows = rows.subspan(width)) {
     std::size_t next = 0;

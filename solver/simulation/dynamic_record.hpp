@@ -50,8 +50,10 @@ class DynamicRecord {
   /// Peaks over all steps so far, by the names that scenes define.
   void write(results::Quantity& quantities) const;
   const results::History& history() const { return history_; }
-  /// Goes on after the rows that another record of the same run had in its history.
-  void read_rows(std::span<const double> rows);
+  /// Goes on after the rows that another record of the same run had in its history, and its largest residual, which is
+  /// in none.
+  void read_rows(std::span<const double> rows, double largest_face_residual);
+  double largest_face_residual() const { return face_residual_; }
   results::History take_history() { return std::move(history_); }
 
  private:
