@@ -73,7 +73,7 @@ def memory(programs, region, size=None):
     if library is None:
         raise CountError("libsunder_heap_counter.so is not built")
     told = run(["./sunder-counts", region, *([str(size)] if size is not None else [])], programs,
-               ENVIRONMENT | {"LD_PRELOAD": str(library)})
+               ENVIRONMENT | {"LD_PRELOAD": str(library.absolute())})
     return {"allocations": told["allocations"], "peak_bytes": told["peak_bytes"]}
 
 

@@ -1,7 +1,7 @@
-/// sunder-counts REGION [SIZE] [EXTRA]: does one piece of work with callgrind's instrumentation switched on around it, and
-/// prints what the heap counter saw where it is preloaded (heap_counter.cpp). `sunder-counts --list` names them all.
-/// EXTRA instructions are wasted inside the region: the slow-down with which the gate is tested.
-/// Exit status: 0 the answer is right, 1 it is wrong, 2 there is no such region.
+/// sunder-counts REGION [SIZE] [EXTRA]: does one piece of work with callgrind's instrumentation switched on around it,
+/// and prints what the heap counter saw where it is preloaded (heap_counter.cpp). `sunder-counts --list` names them
+/// all. EXTRA instructions are wasted inside the region: the slow-down with which the gate is tested. Exit status: 0
+/// the answer is right, 1 it is wrong, 2 there is no such region.
 
 #include <dlfcn.h>
 #include <valgrind/callgrind.h>

@@ -267,9 +267,6 @@ void check_checkpoints(const Node& document, const Scene& scene, Findings& findi
   if (scene.analysis != Analysis::dynamic)
     findings.add(origin, "output.checkpoint_every",
                  "has no effect in analysis = \"" + std::string(word_of(scene.analysis)) + "\"; accepted: 0");
-  else if (!scene.cracks.empty())
-    findings.add(origin, "output.checkpoint_every",
-                 "a run with [[crack]] cannot be taken up again; accepted: 0, or a scene without cracks");
   else if (scene.output->fields_every > 0)
     findings.add(origin, "output.checkpoint_every",
                  "fields cannot be taken up again; accepted: 0, or fields_every = 0");

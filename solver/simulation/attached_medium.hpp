@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct AttachedMedium {
   std::string worker = {};                 ///< the part that works in each step: "convolution" where there is a history
   mutable numerics::Meter work = {};       ///< of the convolution in each step; a constant medium is metered too
   std::vector<std::string> warnings = {};  ///< words for the run's summary
+  std::optional<double> memory_error = {};  ///< stated, of the kernel's sum; absent where the convolution is exact
 };
 
 /// Steps of equal length: a medium's convolution holds the weights of `steps` of them.

@@ -119,9 +119,25 @@ void DynamicRecord::read_rows(std::span<const double> rows) {
     Energies energies;
     for (double* value : {&step.time, &step.crest.x(), &step.crest.y()}) *value = rows[next++];
     if (parts_.media) step.hydrodynamic_force = rows[next++];
+    step.cracks.resize(parts_.cracks);
+    for (CrackRecord& crack : step.cracks) {
+      for (double* value : {&crack.mouth_opening, &crack.K_I, &crack.K_II}) *value = rows[next++];
+      if (parts_.propagation) crack.length = rows[next++];
+      if (parts_.water) {
+        for (double* value : {&crack.mouth_pressure, &crack.uplift_force, &crack.peak_pressure, &crack.wet_length,
+                              &crack.water_content})
+          *value = rows[next++];
+      }
+      if (parts_.contact) crack.contact_force = rows[next++];
+      crack.penetration = rows[next++];
+    }
     for (double* value : {&energies.kinetic, &energies.strain, &energies.damped, &energies.input, &energies.load})
       *value = rows[next++];
     if (parts_.media) energies.radiated = rows[next++];
+    if (parts_.contact) energies.contact = rows[next++];
+    if (parts_.water) energies.water = rows[next++];
+    if (parts_.propagation) energies.growth = rows[next++];
+    if (parts_.contact || parts_.water) step.face_iterations = static_cast<int>(rows[next++]);
     add(step, energies);
   }
 }

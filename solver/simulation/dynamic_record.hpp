@@ -50,7 +50,7 @@ class DynamicRecord {
   /// Peaks over all steps so far, by the names that scenes define.
   void write(results::Quantity& quantities) const;
   const results::History& history() const { return history_; }
-  /// Goes on after the rows that another record of the same run, without cracks, had in its history.
+  /// Goes on after the rows that another record of the same run had in its history.
   void read_rows(std::span<const double> rows);
   results::History take_history() { return std::move(history_); }
 

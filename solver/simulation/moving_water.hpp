@@ -54,6 +54,9 @@ class MovingWater final : public faces::FaceWater {
   /// The crack has grown: its water stays where it is, the new part is dry.
   void grow(WaterNodes nodes, Eigen::Index pairs, std::span<const double> openings);
 
+  crackwater::MarchMemory memory() const { return march_.memory(); }
+  void go_on(const crackwater::MarchMemory& memory) { march_.go_on(memory); }
+
   const WaterNodes& nodes() const { return nodes_; }
   const crackwater::MarchState& state() const { return march_.state(); }
   const crackwater::PressureProfile& profile() const { return march_.profile(); }  ///< of the last trial

@@ -4,7 +4,6 @@
 #include <cstdio>
 
 #include "solver/simulation/analyses.hpp"
-#include "solver/simulation/checkpoint.hpp"
 #include "solver/simulation/dynamic_run.hpp"
 #include "solver/simulation/static_start.hpp"
 
@@ -128,24 +127,24 @@ CrackRecord DynamicRun::observe_crack(std::size_t crack, Index first_pair) const
   return record;
 }
 
-StepRecord DynamicRun::observe() const {
-  StepRecord record;
+/// Overwrites the record; its memory is used again.
+void DynamicRun::observe(StepRecord& record) const {
   record.time = state_.time;
   record.crest = state_.displacement.segment<2>(2 * crest_);
+  record.hydrodynamic_force = 0.0;
   for (std::size_t m = 0; m < around_->media().size(); ++m) {
     const AttachedMedium& medium = *around_->media()[m];
     if (medium.name == "reservoir") record.hydrodynamic_force = -step_->equations().medium_forces()[m].sum();
   }
+  record.cracks.clear();
   Index pair = 0;
   for (std::size_t c = 0; c < body_.cracks.size(); ++c) {
     record.cracks.push_back(observe_crack(c, pair));
     pair += body_.cracks[c].pairs.count();
   }
-  if (step_->faces() != nullptr && number_ > 0) {
-    record.face_iterations = step_->faces()->result().iterations;
-    record.face_residual = step_->faces()->result().residual;
-  }
-  return record;
+  const bool stepped = step_->faces() != nullptr && number_ > 0;
+  record.face_iterations = stepped ? step_->faces()->result().iterations : 0;
+  record.face_residual = stepped ? step_->faces()->result().residual : 0.0;
 }
 
 bool DynamicRun::step(long long number) {
@@ -182,6 +181,9 @@ void DynamicRun::finish() {
   record_->write(found);
   found["energy_balance_error"] = energy_.balance_error();
   found["end_time"] = state_.time;
+  for (const AttachedMedium* medium : around_->media()) {
+    if (medium->memory_error) found[medium->name + "_memory_error"] = *medium->memory_error;
+  }
   if (!end_event_.empty()) found["end"] = end_event_ + " at " + time_text();
   if (scene_.propagation) {
     results::Quantity::List lengths, paths;
@@ -212,10 +214,11 @@ void DynamicRun::go() {
                                                           .water = scene_.crack_water.has_value(),
                                                           .propagation = scene_.propagation.has_value()},
                                             static_cast<std::size_t>(steps));
+  if (has_checkpoints()) identity_ = identity();  // of the body before it grows
   if (options_.resume) {
     go_on();
   } else {
-    now_ = observe();
+    observe(now_);
     record_->add(now_, energy_.energies());
     write_fields();
   }
@@ -228,14 +231,14 @@ void DynamicRun::go() {
         break;
       }
       if (!step(number)) break;
-      now_ = observe();
+      observe(now_);
       record_->add(now_, energy_.energies());
       note_profiles();
       write_fields();
       ledger_.count("steps");
-      if (wants_checkpoint(number)) keep();
       if (scene_.propagation && number < steps && !grow_cracks()) break;
       if (!end_event_.empty()) break;
+      if (wants_checkpoint(number)) keep();
       if (options_.progress && number % 16 == 0)
         options_.progress("steps", static_cast<double>(number) / static_cast<double>(steps));
     }
