@@ -125,6 +125,7 @@ Json setting_json(const SettingRow& row) {
   for (const auto& part : row.parts)
     parts.push_back({{"part", part.part},
                      {"calls", part.calls},
+                     {"bytes", part.bytes},
                      {"matrix_entries", part.matrix_entries},
                      {"seconds", part.seconds}});
   Json json{{"keys", keys},
@@ -148,7 +149,8 @@ SettingRow setting_from(const Json& json) {
   for (const auto& [name, error] : json.at("errors").items()) row.errors.emplace_back(name, number(error));
   for (const auto& [name, count] : json.at("counts").items()) row.counts.emplace_back(name, count.get<long long>());
   for (const Json& part : json.at("parts"))
-    row.parts.push_back({part.at("part"), part.at("calls"), part.at("matrix_entries"), number(part.at("seconds"))});
+    row.parts.push_back(
+        {part.at("part"), part.at("calls"), part.at("matrix_entries"), number(part.at("seconds")), part.at("bytes")});
   row.standard = json.at("default");
   row.status = status(json.at("status"));
   row.cpu_seconds = number(json.at("cpu_seconds"));
