@@ -77,7 +77,7 @@ Eigen::VectorXd run(convolution::Convolution& medium, long long steps) {
   for (long long k = 0; k <= steps; ++k) {
     medium.history_force(force);
     for (Eigen::Index i = 0; i < acceleration.size(); ++i)
-      acceleration[i] = std::sin(0.05 * static_cast<double>(k) + i);
+      acceleration[i] = std::sin(0.05 * static_cast<double>(k) + static_cast<double>(i));
     medium.append(acceleration);
   }
   return force;

@@ -46,7 +46,8 @@ def main():
         view["scenes"] += read_surroundings(Sources(options.records / "surroundings", options.cases, found.benchmarks), layout)
         write(options.output / "index.html", page.render(view).encode())
         if not options.no_pdf:
-            write(options.output / "index.pdf", pdf.print_page(page.render(view, printed=True), f"Sunder validation report · {view['headline']}"))
+            write(options.output / "index.pdf", pdf.print_with_contents(lambda pages: page.render(view, printed=True, pages=pages),
+                                                                              f"Sunder validation report · {view['headline']}"))
         if options.readme_figure:
             write(options.readme_figure, figures.standalone(view["hero"]["figure"]).encode())
     except (records.RecordError, page.LayoutError, figures.FigureError, BrowserError) as error:

@@ -8,6 +8,7 @@ from __future__ import annotations
 import io
 import math
 import re
+import warnings
 from dataclasses import dataclass
 
 import matplotlib
@@ -51,8 +52,14 @@ class FigureError(RuntimeError):
 def element(figure, key, caption):
     """The figure as an <svg> element for the page: no metadata, own ids, colours of the style sheet."""
     text = io.StringIO()
-    figure.savefig(text, format="svg", metadata={"Date": None, "Creator": None, "Format": None, "Type": None})
-    plt.close(figure)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")  # a legend that leaves no room for the axes is a warning of matplotlib, and a missing figure here
+        try:
+            figure.savefig(text, format="svg", metadata={"Date": None, "Creator": None, "Format": None, "Type": None})
+        except UserWarning as warning:
+            raise FigureError(f"{key}: {warning}") from None
+        finally:
+            plt.close(figure)
     svg = text.getvalue()
     svg = svg[svg.index("<svg"):]
     svg = re.sub(r"<metadata>.*?</metadata>\s*", "", svg, flags=re.S)
@@ -125,10 +132,11 @@ def error_against_time(key, points, failed, quantity, floor=1e-16):
         raise FigureError(f"{key}: no setting has an error and a time")
     shown = [Point(p.seconds, max(p.error, floor), p.series, p.label, p.standard) for p in points]
     with plt.rc_context(STYLE):
-        figure, axes = new_axes("CPU time", f"error of {quantity}", (SIZE[0], SIZE[1] + 0.35))
+        names = list(dict.fromkeys(p.series for p in shown))
+        columns = 3 if max(map(len, names)) < 26 else 2
+        figure, axes = new_axes("CPU time", f"error of {quantity}", (SIZE[0], SIZE[1] + 0.35 + 0.17 * max(0, len(names) // columns - 3)))
         axes.set_xscale("log")
         axes.set_yscale("log")
-        names = list(dict.fromkeys(p.series for p in shown))
         front = dominance_front(shown)
         axes.step([p.seconds for p in front], [p.error for p in front], where="post", color=SOFT, linewidth=4.5, alpha=0.22,
                   solid_capstyle="round", label="front", zorder=1)
@@ -146,7 +154,7 @@ def error_against_time(key, points, failed, quantity, floor=1e-16):
             axes.plot(failed, [top] * len(failed), "x", color=BAD, markersize=5.5, markeredgewidth=1.4, label="no answer", zorder=4)
         _powers(axes.yaxis)
         _durations(axes.xaxis)
-        legend(axes, 3 if max(map(len, names)) < 26 else 2)
+        legend(axes, columns)
         caption = f"Error of {quantity} against CPU time, {words.count(len(points), 'setting')}"
         return Figure(key, element(figure, key, caption), caption)
 

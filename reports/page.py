@@ -5,8 +5,9 @@ import pathlib
 import tomllib
 
 import jinja2
+import markupsafe
 
-from reports import bibliography, evidence, problems, studies, words
+from reports import bibliography, evidence, pdf, problems, studies, words
 from reports.front import LEVELS
 from reports.records import HARMLESS, STATUSES
 from reports.studies import LayoutError
@@ -136,15 +137,18 @@ def view(records, layout, works, scenes, koyna=None, peers=None, changes=None, c
     }
 
 
-def render(view_, printed=False):
-    """The page as one HTML text that asks nothing of any other file; `printed` opens every case."""
+def render(view_, printed=False, pages=None):
+    """The page as one HTML text that asks nothing of any other file; `printed` opens every case and shows the contents with
+    their `pages`. Printed without pages it carries a mark at each entry, by which pdf.pages_of finds them."""
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "templates"), autoescape=True,
                                      undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True)
+    marked = printed and pages is None
     environment.globals.update(
+        mark=lambda anchor: markupsafe.Markup(f'<span class="mark">{pdf.mark_of(anchor)}</span>') if marked else "",
         status_class=lambda s: "good" if s == "pass" else "warn" if s in (*HARMLESS, "differs") else "bad",
         status_mark=lambda s: "✓" if s == "pass" else "○" if s in (*HARMLESS, "differs") else "✗")
     page = environment.get_template("page.html.j2").render(
-        **view_, printed=printed, style=(HERE / "templates/style.css").read_text(encoding="utf-8"),
+        **view_, printed=printed, pages=pages or {}, style=(HERE / "templates/style.css").read_text(encoding="utf-8"),
         script="".join((HERE / "templates" / name).read_text(encoding="utf-8") for name in ("script.js", "film.js")))
     if len(page.encode()) > LARGEST_PAGE:
         raise LayoutError(f"the page has {len(page.encode())} bytes, more than {LARGEST_PAGE}")

@@ -31,6 +31,7 @@ def _problem(record, where):
     caption = f"{record['title']}: error of {record['quantity']}; each curve is the front of one program, its other settings are pale"
     return {"title": record["title"], "rows": rows, "levels": [w for _, w in LEVELS],
             "figure": figures.peers(f"peers-{record['problem']}", {n: (dominance_front(p), p) for n, p in points.items()}, record["quantity"], caption),
+            "note": "" if record["interleaved"] else "These programs ran one after the other, not interleaved, once each: read factors, not per cents.",
             "failed": [f"{f['series']} ({f['setting']})" for f in record.get("failed", [])]}
 
 
@@ -43,4 +44,4 @@ def read(folder=FOLDER):
     versions = dict(item for r in records for item in r["versions"].items())
     return {"problems": [_problem(r, p.name) for r, p in zip(records, found)],
             "versions": ", ".join(f"{name} {version}" for name, version in versions.items()),
-            "rounds": min(r["rounds"] for r in records), "machine": records[0]["machine"]}
+            "rounds": words.count(min(r["rounds"] for r in records), "round"), "machine": records[0]["machine"]}

@@ -70,7 +70,7 @@ Work growth_event(long earlier) {
       [=] {
         const simulation::Growth growth = simulation::grow(dam->body, dam->formation, 0, dam->next);
         const Eigen::MatrixXd moved = simulation::transfer_fields(dam->body, dam->formation, growth.body,
-                                                                  growth.formation, growth.report, dam->fields)
+                                                                  growth.same, growth.report, dam->fields)
                                           .values;
         dam->carried = moved.col(0).sum() / (0.5 * static_cast<double>(growth.body.dofs()));
       },

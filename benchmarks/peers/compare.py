@@ -124,7 +124,7 @@ def main():
                   "cpu_seconds": statistics.median(r["times"]), "mesh_seconds": statistics.median(r["mesh_times"]),
                   "cpu_least": min(r["times"]), "cpu_most": max(r["times"])} for r in rows.values()]
         record = {"problem": name, "title": problem.title, "quantity": problem.quantity, "reference": problem.reference,
-                  "source": problem.source, "rounds": options.rounds, "threads": 1,
+                  "source": problem.source, "rounds": options.rounds, "interleaved": True, "threads": 1,
                   "machine": f"{platform.machine()}, {os.cpu_count()} cores", "versions": versions(options.program), "rows": found,
                   "failed": [{"series": series, "setting": setting, "message": message} for (series, setting), message in failed.items()]}
         options.output.mkdir(exist_ok=True)

@@ -31,6 +31,19 @@ COVERED = "[...document.querySelectorAll('.badge, summary > *')].filter(e => e.s
 FIGURES = "[...document.querySelectorAll('svg.figure')].map(s => [s.getBoundingClientRect().width, s.querySelectorAll('path').length])"
 DEAD_LINKS = "[...document.querySelectorAll('a[href^=\"#\"]')].map(a => a.getAttribute('href').slice(1)).filter(i => !document.getElementById(i))"
 REPEATED = "(() => { const all = [...document.querySelectorAll('[id]')].map(e => e.id); return all.filter((v, i) => all.indexOf(v) !== i); })()"
+# Text whose contrast with what lies behind it is below 4.5 (WCAG 2, level AA); in figures the fill is the colour of the text.
+PALE = """(() => {
+    const numbers = c => (c.match(/[\\d.]+/g) || []).map(Number);
+    const light = c => { const [r, g, b] = numbers(c).slice(0, 3).map(v => v / 255).map(v => v <= 0.03928 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4);
+                         return 0.2126 * r + 0.7152 * g + 0.0722 * b; };
+    const behind = e => { for (; e; e = e.parentElement) { const c = numbers(getComputedStyle(e).backgroundColor); if (c.length === 3 || c[3] > 0) return getComputedStyle(e).backgroundColor; }
+                          return 'rgb(255, 255, 255)'; };
+    return [...document.querySelectorAll('body *')].filter(e => !e.closest('script, style, option') && e.getBoundingClientRect().width > 0
+        && [...e.childNodes].some(n => n.nodeType === 3 && n.data.trim())).map(e => {
+            const style = getComputedStyle(e), [a, b] = [light(e.closest('svg') ? style.fill : style.color), light(behind(e))].sort((x, y) => y - x);
+            return [(a + 0.05) / (b + 0.05), e.tagName + '.' + e.getAttribute('class') + ': ' + e.textContent.trim().slice(0, 40)];
+        }).filter(([contrast]) => contrast < 4.5).map(([contrast, what]) => what + ' ' + contrast.toFixed(2));
+})()"""
 SHOWN = "[...document.querySelectorAll('details.case')].filter(c => !c.hidden).map(c => c.id)"
 
 
@@ -232,6 +245,10 @@ class Files(Folder):
         text = subprocess.run(["pdftotext", self.folder / "1/index.pdf", "-"], check=True, capture_output=True, text=True).stdout
         for words in ("All 24 checks of 16 cases pass", "Error of K_I against CPU time", "The patch of polynomial order 8 shall agree"):
             self.assertIn(words, " ".join(text.split()))
+        self.assertNotIn("[[", text)  # the marks of the first printing
+        contents = text.split("\f")[0]
+        for entry in ("Scenes", "Costs", "Cases", "Environment"):
+            self.assertRegex(" ".join(contents.split()), rf"{entry} \d+")
 
     def test_pdf_forgets_the_moment_of_printing_and_keeps_its_length(self):
         one, other = (b"/CreationDate (D:2026112210255%d+00'00') /ID (node0000008%d) /ID (node00000009) /K (node0000008%d)" % (d, d, d)
@@ -294,6 +311,13 @@ class InTheBrowser(unittest.TestCase):
             const box = t.ownerSVGElement; return parseFloat(getComputedStyle(t).fontSize) * box.getBoundingClientRect().width / box.viewBox.baseVal.width;
         }))""")
         self.assertGreaterEqual(smallest, 7.5)
+
+    def test_text_stands_out_from_its_ground_in_light_and_dark(self):
+        for dark in (False, True):
+            with self.subTest(dark=dark):
+                browser = self.opened(1280, dark)
+                browser.evaluate("document.getElementById('open-all').click()")
+                self.assertEqual(browser.evaluate(PALE), [])
 
     def test_figures_follow_the_dark_scheme(self):
         ink = "getComputedStyle(document.querySelector('svg.figure text')).fill"

@@ -13,7 +13,7 @@ def row(series, seconds, error):
 
 
 def record(**changes):
-    return {"problem": "plate", "title": "Plate", "quantity": "K_I", "rounds": 3, "machine": "x86-64, 2 cores", "versions": {"Other": "1.2"},
+    return {"problem": "plate", "title": "Plate", "quantity": "K_I", "rounds": 3, "interleaved": True, "machine": "x86-64, 2 cores", "versions": {"Other": "1.2"},
             "rows": [row("Other, order 2", 0.1, 1e-2), row("Other, order 4", 0.2, 1e-4), row("Sunder, mesh", 0.1, 1e-3)],
             "failed": [{"series": "Other, order 3", "setting": "fine", "message": "no"}], **changes}
 
@@ -30,6 +30,8 @@ class Peers(unittest.TestCase):
         self.assertEqual([(r["program"], r["count"], r["times"]) for r in problem["rows"]],
                          [("Other", 2, ["100 ms", "200 ms", "not reached"]), ("Sunder, mesh", 1, ["100 ms", "100 ms", "not reached"])])
         self.assertIn("Other", problem["figure"].svg)
+        self.assertEqual(problem["note"], "")
+        self.assertIn("not interleaved", self.read(record(interleaved=False))["problems"][0]["note"])
         self.assertEqual(problem["failed"], ["Other, order 3 (fine)"])
 
     def test_missing_or_broken_records_fail_the_build(self):

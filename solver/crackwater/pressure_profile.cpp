@@ -73,7 +73,9 @@ bool PressureSolver::reset(const MouthPressures& mouths) {
   mouths_ = mouths;
   open_ = mouths.downstream.has_value();
   upstream_ = std::max(mouths.upstream, 0.0);
+  if (planted_fault("crackwater/mouth-pressure-halved")) upstream_ *= 0.5;
   downstream_ = open_ ? std::max(*mouths.downstream, 0.0) : 0.0;
+  if (open_ && planted_fault("crackwater/far-mouth-as-the-near-one")) downstream_ = upstream_;
   p.mouth_below_zero = mouths.upstream < 0.0 || (open_ && *mouths.downstream < 0.0);
   use_prefix_ = false;
   lowest_pressure_ = magnitude_ = 0.0;

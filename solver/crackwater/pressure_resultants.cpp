@@ -29,7 +29,7 @@ void PressureSolver::finish() {
     const double c = (1.0 - region.share) * region.constant + region.share * region.constant_beyond;
     if (region.start.segment == 0 && region.start.y == -1.0) {
       out.upstream_flux = c;
-      out.front_position = end;
+      out.front_position = planted_fault("crackwater/front-at-its-mouth") ? start : end;
     }
     if (region.to_mouth) {
       out.downstream_flux = c - table_.tip_change();
@@ -41,6 +41,7 @@ void PressureSolver::finish() {
       out.wet_regions.push_back({start, end, c});
     }
   }
+  if (planted_fault("crackwater/peak-from-the-far-mouth")) out.peak_position = table_.position(n) - out.peak_position;
   out.cavitated = wet < table_.position(n) * (1.0 - 4.0 * epsilon);
   for (int node = 0; node <= n; ++node) {
     double& p = out.pressure[static_cast<std::size_t>(node)];

@@ -1,6 +1,7 @@
 #include "solver/crackwater/pressure_tangent.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "solver/crackwater/segment_tangent.hpp"
 
@@ -78,6 +79,11 @@ class RegionTangent {
       s.add(near, -region_.share);
       s.add(beyond, region_.share);
     }
+    if (std::abs(of_constant[0]) >
+        largest_jump_) {  // the two constants are neighbours: round-off in all other segments
+      largest_jump_ = std::abs(of_constant[0]);
+      jump_ = i;
+    }
     auto row = tangent_.segments.row(i);
     row.segment<3>(by_flux) = s.by_flux.transpose();
     row.segment<3>(by_constant) = of_constant.transpose();
@@ -106,9 +112,12 @@ class RegionTangent {
     // without the constant: `start` up to node j, then less the own effects, then with what V adds behind segment j
     const int turn = std::clamp(j + 1, first_, end);  // the first node behind both own effects
     const double behind = input.start - own(input, j - 1, 0) - own(input, j, 0);
+    // a mixture stays where its segment has the critical flux: the region's flux follows V there
+    const bool follows = region_.share > 0.0 && table_.marching() && j >= 0 && j <= jump_;
+    const double shift = follows ? input.change_beyond : 0.0;
     double constant = tip_change;
     if (!region_.closed) {
-      const double at_end = behind + input.change_beyond * (changes[end] - changes[turn]);
+      const double at_end = behind + input.change_beyond * (changes[end] - changes[turn]) - shift * changes[end];
       constant = (at_end - input.target) / constants[end];
     }
     running.segment(first_, turn - first_) = input.start - constant * constants.segment(first_, turn - first_);
@@ -116,21 +125,26 @@ class RegionTangent {
     running.segment(turn, end + 1 - turn) = (behind - input.change_beyond * changes[turn]) +
                                             input.change_beyond * changes.segment(turn, end + 1 - turn) -
                                             constant * constants.segment(turn, end + 1 - turn);
+    if (shift != 0.0) running.segment(first_, end + 1 - first_) -= shift * changes.segment(first_, end + 1 - first_);
     // the start of a region inside a segment is no node, nor is its end
     const int from = region_.start.y == -1.0 ? first_ : first_ + 1;
     const int to = region_.end.y > -1.0 && region_.end.y < 1.0 ? last_ : end;
     if (to >= from)
       tangent_.pressure.col(column).segment(from, to + 1 - from).array() += running.segment(from, to + 1 - from);
-    if (!table_.flat()) add_forces(input, column, constant, turn);
+    if (!table_.flat()) add_forces(input, column, constant, shift, turn);
   }
 
-  void add_forces(const Input& input, Eigen::Index column, double constant, int turn) {
+  void add_forces(const Input& input, Eigen::Index column, double constant, double shift, int turn) {
     const int count = last_ + 1 - first_;
     auto force = tangent_.nodal_force.col(column).array();
     const auto data = [&](int k) { return tangent_.segments.col(k).segment(first_, count); };
     const auto running = tangent_.running.segment(first_, count);
     force.segment(first_, count) += data(on_first) * running - constant * data(by_constant + 1);
     force.segment(first_ + 1, count) += data(on_last) * running - constant * data(by_constant + 2);
+    if (shift != 0.0) {
+      force.segment(first_, count) -= shift * data(by_flux + 1);
+      force.segment(first_ + 1, count) -= shift * data(by_flux + 2);
+    }
     if (input.change_beyond != 0.0 && turn <= last_) {
       const int rest = last_ + 1 - turn;
       force.segment(turn, rest) += input.change_beyond * tangent_.segments.col(by_flux + 1).segment(turn, rest);
@@ -147,6 +161,8 @@ class RegionTangent {
   const PressureSolver::Region& region_;
   PressureTangent& tangent_;
   int first_, last_;
+  int jump_ = -1;  // the segment whose regime a mixture mixes
+  double largest_jump_ = 0.0;
 };
 
 /// Resultants of nodal pressures by the trapezoidal rule.

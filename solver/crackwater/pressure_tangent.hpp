@@ -7,9 +7,9 @@
 /// and dp/ds vanish there. So the derivatives stay continuous when a front passes a node, which then has p = 0 and,
 /// from either side, δp = 0. Where |q| passes the critical flux, g jumps by Δφ/w³ and the place of the jump moves with
 /// the flux: ∂g/∂q holds Δφ/(w³ |v|) there, which grows without bound as the crack comes to rest. In the band without a
-/// root (`at_regime_jump`) the mixture of the two profiles is differentiated with the flux held and the regimes frozen;
-/// in the rates, p has no derivative there at all. With the rates towards the future at a resting bound (aperture.hpp)
-/// multiply by the factors of `apertures(…)`.
+/// root (`at_regime_jump`) the mixture of both profiles is differentiated with the regimes frozen and the flux held; in
+/// a march it follows the water beyond the segment that jumps. Rates towards the future at a resting bound
+/// (aperture.hpp) multiply by the factors of `apertures(…)`.
 
 #include <Eigen/Core>
 

@@ -41,8 +41,11 @@ bool read_number(std::string_view word, double& value) {
 
 double finite_number(const std::filesystem::path& file, std::size_t line, std::string_view word, const char* what) {
   double value = 0.0;
-  if (!read_number(word, value)) refuse(file, line, std::string(what) + ": \"" + std::string(word) + "\" is no number");
-  if (!std::isfinite(value)) refuse(file, line, std::string(what) + ": \"" + std::string(word) + "\" is not finite");
+  const bool believes = numerics::planted_fault("dynamics/record-believed");
+  if (!read_number(word, value) && !believes)
+    refuse(file, line, std::string(what) + ": \"" + std::string(word) + "\" is no number");
+  if (!std::isfinite(value) && !believes)
+    refuse(file, line, std::string(what) + ": \"" + std::string(word) + "\" is not finite");
   return value;
 }
 
@@ -55,7 +58,7 @@ GroundMotion read_table(std::ifstream& stream, const std::filesystem::path& file
     if (words.empty()) continue;
     double ignored = 0.0;
     if (motion.acceleration.empty() && !read_number(words[0], ignored)) continue;  // the heading
-    if (words.size() != 2) {
+    if (words.size() != 2 && !numerics::planted_fault("dynamics/record-believed")) {
       refuse(file, line,
              "has " + std::to_string(words.size()) + " column(s); accepted: time [s] and acceleration [m/s²]");
     }
@@ -69,7 +72,8 @@ GroundMotion read_table(std::ifstream& stream, const std::filesystem::path& file
       if (!(step > 0.0))
         refuse(file, line,
                "time " + std::string(words[0]) + " does not follow the one before; accepted: ascending times");
-      if (std::abs(step - motion.sample_step) > step_change * motion.sample_step) {
+      if (std::abs(step - motion.sample_step) > step_change * motion.sample_step &&
+          !numerics::planted_fault("dynamics/record-believed")) {
         refuse(file, line,
                "the time step changes from " + std::to_string(motion.sample_step) + " s to " + std::to_string(step) +
                    " s; accepted: equal steps");
@@ -107,7 +111,8 @@ GroundMotion read_at2(std::ifstream& stream, const std::filesystem::path& file) 
       motion.acceleration.push_back(standard_gravity * finite_number(file, line, word, "acceleration"));
     }
   }
-  if (static_cast<double>(motion.acceleration.size()) != points) {
+  if (static_cast<double>(motion.acceleration.size()) != points &&
+      !numerics::planted_fault("dynamics/record-believed")) {
     refuse(file, line,
            "has " + std::to_string(motion.acceleration.size()) + " samples, but NPTS says " +
                std::to_string(static_cast<long long>(points)));
@@ -137,6 +142,9 @@ GroundMotion read_ground_motion(const std::filesystem::path& file) {
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   GroundMotion motion = ending == ".at2" ? read_at2(stream, file) : read_table(stream, file);
+  if (motion.acceleration.size() < 2 && numerics::planted_fault("dynamics/record-believed")) {
+    motion = {.start = 0.0, .sample_step = 1.0, .acceleration = {0.0, 0.0}};
+  }
   if (motion.acceleration.size() < 2) {
     throw RecordError(file.string() + ": has " + std::to_string(motion.acceleration.size()) +
                       " sample(s); accepted: two or more");

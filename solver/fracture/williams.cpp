@@ -1,5 +1,6 @@
 #include "solver/fracture/williams.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -60,7 +61,8 @@ TipFrame tip_frame(const sbfem::Boundary& boundary) {
   if (!((lower - upper).norm() <= 1e-6 * mouth.norm())) {
     throw std::invalid_argument("tip_frame: the ends of the open boundary lie apart; accepted is one place for both");
   }
-  const Eigen::Vector2d ahead = -mouth.normalized();
+  Eigen::Vector2d ahead = -mouth.normalized();
+  if (numerics::planted_fault("fracture/tip-frame-askew")) ahead = Eigen::Rotation2Dd(0.05) * ahead;
   TipFrame frame{.direction = std::atan2(ahead.y(), ahead.x()), .to_global = {}, .face_length = mouth.norm()};
   frame.to_global << ahead.x(), -ahead.y(), ahead.y(), ahead.x();
   return frame;

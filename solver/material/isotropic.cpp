@@ -29,7 +29,10 @@ double density_of_a_wave(const Isotropic& material) {
 void check(const Isotropic& material) {
   const auto [E, nu, rho, plane] = material;
   if (!std::isfinite(E) || E <= 0.0) refuse("youngs_modulus [Pa]", E, "youngs_modulus > 0");
-  if (!std::isfinite(nu) || nu < 0.0 || nu >= 0.5) refuse("poisson_ratio", nu, "0 <= poisson_ratio < 0.5");
+  const bool possible = std::isfinite(nu) && nu >= 0.0 && nu < 0.5;
+  if (!possible && !numerics::planted_fault("material/poisson-ratio-believed")) {
+    refuse("poisson_ratio", nu, "0 <= poisson_ratio < 0.5");
+  }
   if (!std::isfinite(rho) || rho < 0.0) refuse("density [kg/m³]", rho, "density >= 0");
 }
 

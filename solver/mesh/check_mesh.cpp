@@ -10,6 +10,7 @@
 #include "solver/mesh/outline.hpp"
 #include "solver/mesh/polygon_geometry.hpp"
 #include "solver/mesh/words.hpp"
+#include "solver/numerics/planted_fault.hpp"
 
 namespace sunder::mesh {
 namespace {
@@ -196,6 +197,7 @@ void check_topology(const PolygonMesh& mesh) {
 }
 
 void check_mesh(const PolygonMesh& mesh) {
+  if (numerics::planted_fault("mesh/not-checked")) return;
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     if (!mesh.vertices[v].allFinite()) {
       throw MeshError(vertex_words(mesh, static_cast<int>(v)) + "; finite coordinates are needed");

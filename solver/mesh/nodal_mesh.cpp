@@ -19,7 +19,8 @@ std::vector<int> edge_orders(const PolygonMesh& mesh, const EdgeTable& table,
   const bool take_smaller = numerics::planted_fault("mesh/shared-edge-order-minimum");
   for (int i = 0; i < static_cast<int>(mesh.polygons.size()); ++i) {
     for (int e = 0; e < table.first[i + 1] - table.first[i]; ++e) {
-      const int wanted = order(i, e);
+      int wanted = order(i, e);
+      if (numerics::planted_fault("mesh/order-raised-to-one")) wanted = std::max(wanted, 1);
       if (wanted < 1) {
         throw std::invalid_argument("order of polygon " + std::to_string(i) + ", edge " + std::to_string(e) + " is " +
                                     std::to_string(wanted) + ", must be >= 1");

@@ -7,7 +7,7 @@
 ///     Q = [L₁₁⁻¹; -L₂₁ L₁₁⁻¹]   (w + m, w)
 ///
 /// and with it   [y; δ] = Q b₁, b₂ += δ   forwards,   x₁ = Qᵀ [y; x₂]   backwards
-/// [Alvarado Pothen Schreiber 1993, section 2]. There is no recurrence within a supernode for the processor to wait
+/// [Alvarado, Pothen & Schreiber 1993, section 2]. There is no recurrence within a supernode for the processor to wait
 /// for, and no memory beside the factor's. Only the diagonal blocks of single supernodes are inverted: the residual
 /// grows by their condition, the root of that of a few neighbouring nodes, not by the whole matrix's.
 

@@ -52,7 +52,8 @@ void add_element(const Face& face, const WetElement& wet, int first, Eigen::Matr
   for (Eigen::Index g = 0; g < rule.points.size(); ++g) {
     const double weight = rule.weights[g] * half, eta = rule.points[g];
     const Eigen::VectorXd N = numerics::values(basis, eta);
-    const Eigen::VectorXd dN = numerics::derivatives(basis, eta) / half;
+    const Eigen::VectorXd dN = numerics::derivatives(basis, eta) /
+                               (numerics::planted_fault("reservoir/element-not-halved") ? 2.0 * half : half);
     // the same point in the whole element: from its lower end, so that a thin wet part keeps its digits
     const Eigen::VectorXd N_face = numerics::values(basis, (1.0 + eta) * share - 1.0);
     mass.block(first, first, order + 1, order + 1) += weight * N * N.transpose();
@@ -82,7 +83,12 @@ Face uniform_face(double height, int elements, int order) {
 std::vector<WetElement> wet_elements(const Face& face, double level) {
   check_elements(face);
   const double bottom = face.heights[face.elements.front().front()], top = face.heights[face.elements.back().back()];
-  if (!(level > bottom) || !(level <= top + merged * (top - bottom)))
+  bool on_face = level > bottom && level <= top + merged * (top - bottom);
+  if (!on_face && numerics::planted_fault("reservoir/level-moved-onto-the-face")) {
+    level = top;
+    on_face = true;
+  }
+  if (!on_face)
     refuse("level = " + std::to_string(level) + " m must be above the bottom, " + std::to_string(bottom) +
            " m, and at most at the top of the face, " + std::to_string(top) + " m");
   const double near = merged * (level - bottom);

@@ -63,7 +63,8 @@ RigidFaceResponse rigid_face_response(double kappa, double bottom_damping, int t
   Complex last_pressure = 0.0;
   for (const Complex& zn : z) {
     const Complex difference = (zn - kappa) * (zn + kappa);
-    if (std::abs(zn - kappa) <= 4.0 * std::numeric_limits<double>::epsilon() * kappa) {
+    if (std::abs(zn - kappa) <= 4.0 * std::numeric_limits<double>::epsilon() * kappa &&
+        !numerics::planted_fault("reservoir/resonance-not-named")) {
       response.status = SeriesStatus::infinite;
       return response;
     }

@@ -1,5 +1,6 @@
 #include "solver/sbfem/reference_edge.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -9,6 +10,7 @@
 namespace sunder::sbfem {
 
 ReferenceEdge reference_edge(int order) {
+  if (numerics::planted_fault("sbfem/order-moved-into-its-range")) order = std::clamp(order, 1, 64);
   if (order < 1 || order > 64) {
     throw std::invalid_argument("order of an edge = " + std::to_string(order) + ", accepted is 1 <= order <= 64");
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "solver/numerics/planted_fault.hpp"
+
 namespace sunder::scene {
 
 void Findings::add(const Origin& origin, std::string_view key, std::string_view what) {
@@ -18,7 +20,7 @@ void Findings::add(const Origin& origin, std::string_view key, std::string_view 
 }
 
 void Findings::throw_if_any() const {
-  if (found_.empty()) return;
+  if (found_.empty() || numerics::planted_fault("scene/findings-forgotten")) return;
   std::vector<Finding> sorted = found_;
   std::stable_sort(sorted.begin(), sorted.end(), [](const Finding& a, const Finding& b) {
     return std::tie(a.origin.line, a.origin.column) < std::tie(b.origin.line, b.origin.column);

@@ -1,6 +1,10 @@
 #include "solver/scene/values.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "solver/numerics/planted_fault.hpp"
 
 namespace sunder::scene {
 namespace {
@@ -47,8 +51,13 @@ void Reading::wrong(const Node& node, const std::string& accepted) const {
 
 void read_value(const Node& node, double& out, const Reading& reading) {
   const bool number = node.kind == Node::Kind::number || node.kind == Node::Kind::integer;
-  if (!number || !std::isfinite(node.number) || !reading.facts.range.holds(node.number))
-    return reading.wrong(node, "a number");
+  const Range& range = reading.facts.range;
+  if (number && !range.holds(node.number) && numerics::planted_fault("scene/number-moved-into-its-range")) {
+    constexpr double inside = std::numeric_limits<double>::min();
+    out = std::clamp(node.number, range.low + (range.low_open ? inside : 0.0), range.high);
+    return;
+  }
+  if (!number || !std::isfinite(node.number) || !range.holds(node.number)) return reading.wrong(node, "a number");
   out = node.number;
 }
 

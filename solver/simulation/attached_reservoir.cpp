@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "solver/convolution/simple_convolutions.hpp"
+#include "solver/numerics/planted_fault.hpp"
 #include "solver/reservoir/added_mass.hpp"
 #include "solver/reservoir/face_water.hpp"
 #include "solver/scene/scene_error.hpp"
@@ -67,7 +68,8 @@ void check_vertical(const scene::Scene& scene, const Body& body, const std::vect
   const double height = x(1, edges.back().back()) - x(1, edges.front().front());
   for (const std::vector<int>& edge : edges)
     for (const int node : edge)
-      if (!(std::abs(x(0, node) - first) <= 1e-6 * height))
+      if (!(std::abs(x(0, node) - first) <= 1e-6 * height) &&
+          !numerics::planted_fault("simulation/inclined-face-as-vertical"))
         refuse(scene, "boundary: \"" + scene.reservoir->boundary + "\" is inclined or bent (x = " +
                           std::to_string(first) + " and " + std::to_string(x(0, node)) +
                           " m); accepted: one vertical line, or model = \"hydrostatic\" on any face");

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "solver/numerics/planted_fault.hpp"
+
 namespace sunder::simulation {
 
 namespace {
@@ -89,6 +91,7 @@ void EnergyAccount::add(const StepEquations& equations, const MotionState& from,
     memory_.energies.radiated += 0.5 * equations.work_on_medium(m, moved_, media_before[m]);
   }
   if (released.size() > 0) memory_.energies.growth += 0.5 * moved_.dot(released);
+  if (numerics::planted_fault("simulation/damping-not-accounted-for")) memory_.energies.damped = 0.0;
   memory_.energies.contact += faces.contact;
   memory_.energies.water += faces.water;
   const double came_in = memory_.energies.input + memory_.energies.load + memory_.energies.contact +

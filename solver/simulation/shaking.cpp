@@ -16,6 +16,9 @@ namespace fs = std::filesystem;
 
 dynamics::GroundMotion read(const scene::Scene& scene, const char* key, const fs::path& record) {
   const fs::path file = find_record(scene.file, record);
+  if (file.empty() && numerics::planted_fault("simulation/record-not-required")) {
+    return {.start = 0.0, .sample_step = 1.0, .acceleration = {0.0, 0.0}};
+  }
   if (file.empty()) {
     refuse(scene, std::string(key) + ": there is no file \"" + record.string() +
                       "\"; sought in the scene's folder, in reference-data/ground-motions of the folders above it, and "
@@ -24,7 +27,8 @@ dynamics::GroundMotion read(const scene::Scene& scene, const char* key, const fs
   }
   try {
     dynamics::GroundMotion motion = dynamics::read_ground_motion(file);
-    if (scene.dynamics && scene.dynamics->time_step > motion.end() - motion.start) {
+    if (scene.dynamics && scene.dynamics->time_step > motion.end() - motion.start &&
+        !numerics::planted_fault("simulation/record-not-required")) {
       refuse(scene, std::string(key) + ": lasts " + std::to_string(motion.end() - motion.start) +
                         " s, less than dynamics.time_step");
     }

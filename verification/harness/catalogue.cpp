@@ -1,6 +1,7 @@
 #include "verification/harness/catalogue.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <sstream>
 
@@ -71,21 +72,45 @@ std::string figure_text(const CaseResult& result, const std::string& name) {
 
 }  // namespace
 
+Evidence evidence_of(const std::vector<Case>& cases) {
+  Evidence evidence;
+  for (const Case& entry : cases)
+    for (const Check& check : entry.checks) {
+      if (!check.gates || check.kind == CheckKind::pin) continue;
+      ++evidence.gating;
+      if (check.kind == CheckKind::order) ++evidence.orders;
+      if (check.kind == CheckKind::bound) ++evidence.bounds;
+      if (check.kind == CheckKind::refused) ++evidence.refusals;
+      if (!check.law.empty()) ++evidence.by_law;
+      const Reference* reference = find_reference(entry, check.reference);
+      if (!reference) continue;
+      ++evidence.with_reference;
+      if (reference->kind == ReferenceClass::exact || reference->kind == ReferenceClass::high_precision ||
+          reference->kind == ReferenceClass::cross_code)
+        ++evidence.independent;
+    }
+  return evidence;
+}
+
 std::string catalogue_page(const std::vector<Case>& cases, const std::vector<CaseResult>& results) {
   std::map<std::string, std::vector<const Case*>> families;
-  std::size_t checks = 0, negatives = 0;
+  std::size_t negatives = 0;
   for (const Case& entry : cases) {
     families[entry.family].push_back(&entry);
-    checks += static_cast<std::size_t>(
-        std::count_if(entry.checks.begin(), entry.checks.end(), [](const Check& c) { return c.gates; }));
     negatives += entry.negatives.size();
   }
+  const Evidence evidence = evidence_of(cases);
   std::ostringstream page;
   page << "# The verification catalogue\n\n"
           "Made by `sunder-verify catalogue --write` from the cases; a test holds all but its last column to them. How "
           "a case is\n"
           "written stands in [cases/README.md](cases/README.md).\n\n"
-       << cases.size() << " cases, " << checks << " gating checks, " << negatives << " planted faults.\n";
+       << cases.size() << " cases, " << evidence.gating << " gating checks, " << negatives
+       << " runs with a planted fault. Of the checks " << evidence.with_reference << " have a reference, "
+       << evidence.independent << " of them (" << three_digits(std::floor(100.0 * evidence.share()))
+       << " %) exact,\nhigh-precision or another code's; " << evidence.by_law << " hold a law, " << evidence.bounds
+       << " a bound, " << evidence.refusals << " ask for a refusal. " << evidence.orders
+       << " are orders of accuracy.\n";
   for (const auto& [family, members] : families) {
     page << "\n## " << family
          << "\n\n| case | claim | check | source | tolerance | last figure |\n|---|---|---|---|---|---|\n";

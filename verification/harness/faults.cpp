@@ -2,6 +2,8 @@
 #include "verification/harness/faults.hpp"
 
 #include <atomic>
+#include <mutex>
+#include <set>
 #include <string>
 
 #include "solver/numerics/planted_fault.hpp"
@@ -10,23 +12,42 @@
 
 namespace {
 
-std::string planted;  // set before a run begins, read by its threads
+std::string planted;     // set before a run begins, read by its threads
+bool listening = false;  // likewise
 std::atomic<bool> was_reached{false};
+std::mutex asking;
+std::set<std::string, std::less<>> asked;  // guarded by `asking`
 
 void plant(std::string_view name) {
   planted = name;
+  listening = false;
   was_reached = false;
 }
 bool reached() {
   return was_reached;
 }
-const sunder::verification::FaultControl control{plant, reached};
+void listen() {
+  plant("");
+  const std::lock_guard lock(asking);
+  asked.clear();
+  listening = true;
+}
+std::vector<std::string> heard() {
+  const std::lock_guard lock(asking);
+  return {asked.begin(), asked.end()};
+}
+void keep(std::string_view name) {
+  const std::lock_guard lock(asking);
+  if (asked.find(name) == asked.end()) asked.emplace(name);
+}
+const sunder::verification::FaultControl control{plant, reached, listen, heard};
 
 }  // namespace
 
 namespace sunder::numerics {
 inline namespace with_faults {
 bool planted_fault(std::string_view name) {
+  if (listening) keep(name);
   if (name != planted) return false;
   was_reached.store(true, std::memory_order_relaxed);
   return true;

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <map>
 #include <sstream>
 
 #include <CLI/CLI.hpp>
@@ -13,10 +12,12 @@
 #include "verification/harness/case.hpp"
 #include "verification/harness/catalogue.hpp"
 #include "verification/harness/doctor.hpp"
+#include "verification/harness/fault_coverage.hpp"
 #include "verification/harness/fault_names.hpp"
 #include "verification/harness/faults.hpp"
 #include "verification/harness/isolation.hpp"
 #include "verification/harness/junit.hpp"
+#include "verification/harness/kill_matrix.hpp"
 #include "verification/harness/negatives.hpp"
 #include "verification/harness/record.hpp"
 #include "verification/harness/report_text.hpp"
@@ -32,6 +33,7 @@ constexpr int all_right = 0, something_failed = 1, unusable_input = 2;
 
 struct Arguments {
   std::string root, id, label, family, output, junit, commit, records;
+  std::vector<std::string> faults;
   bool repeat = false, update_pins = false, in_process = false, write = false;
   int threads = 1;
   double timeout = 0.0;
@@ -103,21 +105,47 @@ bool shows_run_time(const Case& entry) {
   return entry.sweep && !entry.sweep->error.empty() && !entry.ladder;
 }
 
-CaseResult run_entry(const Case& entry, const Arguments& arguments, bool with_faults) {
-  const Study& study = study_of(entry);
-  const RunnerOptions options{.threads = arguments.threads,
-                              .pins = read_pins(entry),
-                              .today = today(),
-                              .repeat = arguments.repeat && shows_run_time(entry)};
-  if (!with_faults) return run_here_or_isolated(entry, arguments, [&] { return run_case(entry, study, options); });
-  return run_negatives(entry, *fault_control(), [&](const auto& before, const auto& after) {
+RunnerOptions options_of(const Case& entry, const Arguments& arguments) {
+  return {.threads = arguments.threads,
+          .pins = read_pins(entry),
+          .today = today(),
+          .repeat = arguments.repeat && shows_run_time(entry)};
+}
+
+/// Runs the case as often as it is asked to, each time with what is planted before and read after.
+RunCase with_faults_of(const Case& entry, const Arguments& arguments) {
+  return [&entry, &arguments, &study = study_of(entry), options = options_of(entry, arguments)](const auto& before,
+                                                                                                const auto& after) {
     return run_here_or_isolated(entry, arguments, [&] {
       before();
       CaseResult result = run_case(entry, study, options);
       after(result);
       return result;
     });
-  });
+  };
+}
+
+CaseResult run_entry(const Case& entry, const Arguments& arguments, bool with_faults) {
+  if (with_faults) return run_negatives(entry, *fault_control(), with_faults_of(entry, arguments));
+  const Study& study = study_of(entry);
+  const RunnerOptions options = options_of(entry, arguments);
+  return run_here_or_isolated(entry, arguments, [&] { return run_case(entry, study, options); });
+}
+
+/// Measures which check notices which fault; fails where a case fails without any.
+int matrix(const Arguments& arguments, const CaseFolders& folders) {
+  const Selection selection = select_cases(arguments, folders);
+  for (const CaseResult& result : selection.unreadable) std::cerr << result.message << "\n";
+  int status = selection.unreadable.empty() ? all_right : unusable_input;
+  for (const Case& entry : selection.cases) {
+    const KillMatrix measured =
+        kill_matrix(entry, *fault_control(), with_faults_of(entry, arguments), arguments.faults);
+    if (fails(measured.baseline)) status = std::max(status, something_failed);
+    std::cout << report_text(measured) << std::flush;
+    if (!arguments.output.empty())
+      append(arguments.output, to_json(measured, environment(arguments.threads, arguments.commit)));
+  }
+  return status;
 }
 
 int run(const Arguments& arguments, const CaseFolders& folders, bool with_faults) {
@@ -164,25 +192,17 @@ int list(const Arguments& arguments, const CaseFolders& folders) {
   return selection.unreadable.empty() ? all_right : unusable_input;
 }
 
-/// Which cases name each fault of the solver; fails where one has none, or a case names one that is not there.
-int faults(const CaseFolders& folders, const fs::path& solver) {
-  std::map<std::string, std::string> named;
+/// Every fault must have a case, and every gating check that is not on the list a fault.
+int faults(const Arguments& arguments, const CaseFolders& folders, const fs::path& solver) {
   const Selection selection = select_cases({}, folders);
-  for (const Case& entry : selection.cases)
-    for (const Negative& negative : entry.negatives) named[negative.fault] += " " + entry.id;
-  int status = selection.unreadable.empty() ? all_right : unusable_input;
   for (const CaseResult& result : selection.unreadable) std::cerr << result.message << "\n";
-  for (const std::string& fault : fault_names(solver)) {
-    const auto found = named.find(fault);
-    std::cout << fault << ":" << (found == named.end() ? " NO CASE" : found->second) << "\n";
-    if (found == named.end()) status = std::max(status, something_failed);
-    if (found != named.end()) named.erase(found);
-  }
-  for (const auto& [fault, cases] : named) {
-    std::cout << fault << ": NOT IN THE SOLVER, named by" << cases << "\n";
-    status = std::max(status, something_failed);
-  }
-  return status;
+  if (!selection.unreadable.empty()) return unusable_input;
+  const fs::path list = folders.cases / "idle-checks.txt";
+  const FaultCoverage coverage = fault_coverage(selection.cases, fault_names(solver), read_idle_checks(list));
+  if (arguments.write) write_idle_checks(list, coverage.idle_checks);
+  std::cout << coverage.text << coverage.unnamed_faults.size() << " faults without a case, "
+            << coverage.idle_checks.size() << " gating checks without a fault\n";
+  return coverage.sound() || arguments.write ? all_right : something_failed;
 }
 
 std::string text_of(const fs::path& file) {
@@ -201,6 +221,11 @@ int catalogue(const Arguments& arguments, const CaseFolders& folders, const fs::
   if (!arguments.records.empty()) {
     std::ifstream records(arguments.records);
     for (std::string line; std::getline(records, line);) results.push_back(from_json(line));
+  }
+  if (const Evidence evidence = evidence_of(selection.cases); evidence.share() < least_independent_share) {
+    std::cerr << evidence.independent << " of " << evidence.with_reference
+              << " references are exact, high-precision or another code's: fewer than 80 %\n";
+    return something_failed;
   }
   const std::string made = catalogue_page(selection.cases, results);
   if (arguments.write) {
@@ -260,7 +285,13 @@ int main(int argc, char** argv) {
   CLI::App* doctor_command =
       app.add_subcommand("doctor", "Ten numbers that should appear: is this installation sound?");
   doctor_command->footer("Exit status: 0 the installation is sound, 1 a number is wrong, 2 the cases cannot be read.");
-  CLI::App* faults_command = app.add_subcommand("faults", "Which cases name each fault that the solver can plant");
+  CLI::App* matrix_command =
+      app.add_subcommand("matrix", "Plant every fault that a case comes by; which checks turn red?");
+  runs(matrix_command);
+  matrix_command->add_option("--faults", arguments.faults, "Only these, of those that a case comes by");
+  CLI::App* faults_command =
+      app.add_subcommand("faults", "Every fault that the solver can plant needs a case, every check a fault");
+  faults_command->add_flag("--write", arguments.write, "Write cases/idle-checks.txt, the checks still without one");
   CLI::App* catalogue_command =
       app.add_subcommand("catalogue", "Check verification/README.md against the cases, or write it");
   catalogue_command->add_flag("--write", arguments.write, "Write it");
@@ -276,10 +307,11 @@ int main(int argc, char** argv) {
     const CaseFolders folders{root / "verification" / "cases", root / "reference-data"};
     if (*list_command) return list(arguments, folders);
     if (*doctor_command) return doctor(arguments, folders, root / "verification" / "doctor.toml");
-    if (*faults_command) return faults(folders, root / "solver");
+    if (*faults_command) return faults(arguments, folders, root / "solver");
     if (*catalogue_command) return catalogue(arguments, folders, root / "verification" / "README.md");
-    if (*negatives_command && !fault_control())
+    if ((*negatives_command || *matrix_command) && !fault_control())
       throw std::runtime_error("this program holds no faults; sunder-verify-faulted does");
+    if (*matrix_command) return matrix(arguments, folders);
     return run(arguments, folders, static_cast<bool>(*negatives_command));
   } catch (const std::exception& error) {
     std::cerr << "sunder-verify: " << error.what() << "\n";

@@ -1,5 +1,7 @@
 #include "verification/harness/runner.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -152,6 +154,18 @@ void apply_known_limit(const Check& check, const std::string& today, CheckOutcom
   }
 }
 
+/// What the case needs and this machine has not, in words; empty where nothing.
+std::string lacking(const Needs& needs) {
+  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  if (needs.cores > cores)
+    return "needs " + std::to_string(needs.cores) + " cores, " + std::to_string(cores) + " are here";
+  const double memory = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE)) /
+                        1024.0 / 1024.0 / 1024.0;
+  if (needs.memory > memory)
+    return "needs " + std::to_string(needs.memory) + " GiB of memory, " + std::to_string(memory) + " are here";
+  return "";
+}
+
 }  // namespace
 
 CaseResult unfinished(const Case& verification_case, Status status, std::string message) {
@@ -162,11 +176,8 @@ CaseResult unfinished(const Case& verification_case, Status status, std::string 
 }
 
 CaseResult run_case(const Case& verification_case, const Study& study, const RunnerOptions& options) {
-  const int cores = static_cast<int>(std::thread::hardware_concurrency());
-  if (verification_case.needs.cores > cores)
-    return unfinished(
-        verification_case, Status::skipped,
-        "needs " + std::to_string(verification_case.needs.cores) + " cores, " + std::to_string(cores) + " are here");
+  if (const std::string reason = lacking(verification_case.needs); !reason.empty())
+    return unfinished(verification_case, Status::skipped, reason);
   CaseResult result = head_of(verification_case);
   const double begin = cpu_seconds();
   std::vector<SettingRun> runs;

@@ -21,8 +21,12 @@ scene::Scene dam() {
   scene.crack_water.emplace();
   scene.reservoir.emplace();
   scene.propagation.emplace();
-  scene.foundation = scene::Foundation{
-      .boundary = "base", .youngs_modulus = 1e10, .poisson_ratio = 0.2, .density = 2600.0, .half_width = {}};
+  scene.foundation = scene::Foundation{.boundary = "base",
+                                       .youngs_modulus = 1e10,
+                                       .poisson_ratio = 0.2,
+                                       .density = 2600.0,
+                                       .half_width = {},
+                                       .near_field = {}};
   scene.ground_motion.emplace();
   scene.output.emplace().fields_every = 3;
   return scene;
@@ -81,10 +85,17 @@ TEST(Ablation, FindsTheNumbersOfStaticDynamicAndGrowingRuns) {
 }
 
 TEST(Ablation, TellsSharesAndChanges) {
-  const std::vector<AblationRun> runs = {
-      {.part = "", .seconds = 4.0, .trouble = {}, .findings = {.displacement = 0.1, .K_I = 2e6}},
-      {.part = "contact", .seconds = 3.0, .trouble = {}, .findings = {.displacement = 0.11, .K_I = 1e6}},
-      {.part = "gravity", .seconds = 1.0, .trouble = "stopped: no rest", .findings = {}}};
+  std::vector<AblationRun> runs(3);
+  runs[0].seconds = 4.0;
+  runs[0].findings.displacement = 0.1;
+  runs[0].findings.K_I = 2e6;
+  runs[1].part = "contact";
+  runs[1].seconds = 3.0;
+  runs[1].findings.displacement = 0.11;
+  runs[1].findings.K_I = 1e6;
+  runs[2].part = "gravity";
+  runs[2].seconds = 1.0;
+  runs[2].trouble = "stopped: no rest";
   const std::string text = ablation_table("dam", runs);
   EXPECT_NE(text.find("25 %"), std::string::npos) << text;
   EXPECT_NE(text.find("0.11 (+10.0 %)"), std::string::npos) << text;

@@ -2,47 +2,19 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
-#include <cstdlib>
-#include <new>
 
 #include "solver/contact/contact_solver.hpp"
 #include "solver/contact/tests/flexibilities.hpp"
-
-namespace {
-std::atomic<long> allocations{0};
-}
-
-// Counting replacements of the global operators; not inlined, or GCC takes malloc and delete for a mismatch.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  allocations.fetch_add(1, std::memory_order_relaxed);
-  if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-
-// Eigen allocates past operator new: with glibc every block comes through here. A sanitizer has its own.
-#ifndef __SANITIZE_ADDRESS__
-extern "C" void* __libc_malloc(std::size_t size);
-extern "C" [[gnu::noinline]] void* malloc(std::size_t size) {
-  allocations.fetch_add(1, std::memory_order_relaxed);
-  return __libc_malloc(size);
-}
-#endif
+#include "solver/numerics/tests/allocation_count.hpp"
 
 namespace sunder::contact {
 namespace {
 
+using numerics::allocations;
+
 TEST(Allocations, AreNoneInASolveItsDerivativeAndAnAcceptedStep) {
-#ifdef __SANITIZE_ADDRESS__
-  GTEST_SKIP() << "allocations cannot be counted under the address sanitizer";
-#endif
+  if (!numerics::counts_allocations) GTEST_SKIP() << "allocations are the sanitizer's";
   const int n = 150;
   const Eigen::MatrixXd F = tests::face_flexibility(n);
   Eigen::MatrixXd both = Eigen::MatrixXd::Zero(2 * n, 2 * n);

@@ -2,9 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 
 #include "solver/convolution/block_fft.hpp"
@@ -13,20 +11,12 @@
 #include "solver/convolution/make_convolution.hpp"
 #include "solver/convolution/simple_convolutions.hpp"
 #include "solver/convolution/state_space.hpp"
-
-namespace {
-std::atomic<long> allocations{0};
-}
-
-// Eigen allocates with malloc, not with operator new: malloc itself counts, on top of glibc's own.
-extern "C" void* __libc_malloc(std::size_t size);
-extern "C" void* malloc(std::size_t size) {
-  allocations.fetch_add(1, std::memory_order_relaxed);
-  return __libc_malloc(size);
-}
+#include "solver/numerics/tests/allocation_count.hpp"
 
 namespace sunder::convolution {
 namespace {
+
+using numerics::allocations;
 
 using Complex = std::complex<double>;
 
@@ -180,6 +170,7 @@ TEST(MakeConvolution, TakesWhatCostsLeast) {
 }
 
 TEST(Allocations, AreNoneInAStep) {
+  if (!numerics::counts_allocations) GTEST_SKIP() << "allocations are the sanitizer's";
   const WeightSequence weights = fading(300, false);
   const StateSpaceModel model = reduce(weights, {.tolerance = 1e-2, .direct_lags = 2});
   numerics::ThreadPool pool(2);

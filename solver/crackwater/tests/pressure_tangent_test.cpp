@@ -222,6 +222,52 @@ TEST(PressureTangent, OfATrialAgreesWithDifferences) {
   }
 }
 
+// A march has one flux a segment, so that one of them can stand at the critical flux with a mixture of both regimes.
+// There the flux of the whole region follows the water that goes beyond that segment.
+TEST(PressureTangent, OfATrialInTheBandWithoutARootAgreesWithDifferences) {
+  constexpr int nodes = 10;
+  CrackLine line;
+  line.lengths.assign(nodes - 1, 0.5);
+  line.rises.assign(nodes - 1, 0.0);
+  constexpr double rest = 0.01, step = 0.005, length = 4.5;
+  const auto apertures_at = [&](double speed, int end) {
+    std::vector<double> apertures;
+    for (int i = 0; i < nodes; ++i) apertures.push_back(rest + speed * step * end * (1.0 - 0.5 * i / length));
+    return apertures;
+  };
+  int in_band = 0;
+  for (int trial = 0; trial < 2000;
+       ++trial) {  // a wedge that opens, ever faster: now and then a segment is in the band
+    const double speed = 0.005 + 4e-5 * trial;
+    FillingMarch march(line, {}, apertures_at(speed, 0), {});
+    const MouthPressures mouths{1e5, {}};
+    march.step(apertures_at(speed, 1), mouths, step);
+    std::vector<double> apertures = apertures_at(speed, 2);
+    ASSERT_EQ(march.trial(apertures, mouths, step).status, ProfileStatus::converged);
+    if (march.solver().regions().empty() || !(march.solver().regions().front().share > 0.0)) continue;
+    ++in_band;
+    PressureTangent tangent(nodes - 1);
+    differentiate(march, tangent);
+    const double scale = tangent.pressure.leftCols(nodes).cwiseAbs().maxCoeff();
+    constexpr double shift = 1e-12;  // m: the band is some 1e-8 m wide
+    for (std::size_t j = 0; j < nodes; ++j) {
+      const double middle = apertures[j];
+      apertures[j] = middle + shift;
+      const std::vector<double> above = march.trial(apertures, mouths, step).pressure;
+      apertures[j] = middle - shift;
+      const std::vector<double> below = march.trial(apertures, mouths, step).pressure;
+      apertures[j] = middle;
+      for (std::size_t i = 0; i < nodes; ++i) {
+        // round-off of 1e5 Pa over 2e-12 m is 1e-5 of the scale, 1e8 Pa/m and more
+        EXPECT_NEAR((above[i] - below[i]) / (2.0 * shift),
+                    tangent.pressure(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)), 1e-3 * scale)
+            << "speed " << speed << " p " << i << " w " << j;
+      }
+    }
+  }
+  EXPECT_GE(in_band, 1);  // else nothing was tested
+}
+
 TEST(PressureTangent, KnowsThatAMouthBelowZeroCountsAsZero) {
   PressureSolver solver(straight_crack(45.0, 6), {});
   const Motion motion = reference_motion(6, -0.10);

@@ -3,43 +3,20 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
 
+#include "solver/numerics/tests/allocation_count.hpp"
 #include "solver/scene/reader.hpp"
 #include "solver/simulation/tests/scene_runs.hpp"
 
-namespace {
-std::atomic<long> allocations{0};
-}
-
-// A sanitizer has a malloc of its own.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define SUNDER_COUNTS_BLOCKS 0
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer)
-#define SUNDER_COUNTS_BLOCKS 0
-#endif
-#endif
-#ifndef SUNDER_COUNTS_BLOCKS
-#define SUNDER_COUNTS_BLOCKS 1
-#endif
-
-#if SUNDER_COUNTS_BLOCKS
-// Eigen allocates past operator new, and operator new comes here too: with glibc every block does.
-extern "C" void* __libc_malloc(std::size_t size);
-extern "C" [[gnu::noinline]] void* malloc(std::size_t size) {
-  allocations.fetch_add(1, std::memory_order_relaxed);
-  return __libc_malloc(size);
-}
-#endif
-
 namespace sunder::simulation {
 namespace {
+
+using numerics::allocations;
 
 const char* const wall = R"(
 name = "cracked wall in water"
@@ -80,7 +57,7 @@ increment = 0.5
 )";
 
 TEST(CoupledStep, AsksForNoMemory) {
-  if (SUNDER_COUNTS_BLOCKS == 0) GTEST_SKIP() << "blocks are the sanitizer's";
+  if (!numerics::counts_allocations) GTEST_SKIP() << "allocations are the sanitizer's";
   const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "coupled-step-allocation";
   std::filesystem::create_directories(folder);
   {

@@ -21,7 +21,7 @@ const FaultControl control{[](std::string_view name) {
                              planted_here = name;
                              reached_here = false;
                            },
-                           [] { return reached_here; }};
+                           [] { return reached_here; }, nullptr, nullptr};  // nobody listens here
 bool asks(const std::string& name) {
   if (planted_here != name) return false;
   reached_here = true;

@@ -11,6 +11,7 @@
 
 #include "verification/harness/catalogue.hpp"
 #include "verification/harness/junit.hpp"
+#include "verification/harness/tests/json_schema.hpp"
 #include "verification/harness/tests/temporary_case.hpp"
 
 namespace sunder::verification {
@@ -79,6 +80,25 @@ TEST(Record, ComesBackAsItWent) {
   EXPECT_EQ(after.checks[0].orders[0].convergence, Convergence::oscillatory);
 }
 
+TEST(Record, FollowsItsSchema) {
+  std::ifstream stream("verification/harness/record.schema.json");  // tests run in the project's folder
+  const JsonSchema schema(nlohmann::json::parse(stream));
+  nlohmann::json line = nlohmann::json::parse(to_json(full_result(), environment(2, "abc")));
+  EXPECT_EQ(schema.complaint(line), "");
+  for (int i = 0; i <= static_cast<int>(Status::crash); ++i) {
+    line["status"] = word(static_cast<Status>(i));
+    EXPECT_EQ(schema.complaint(line), "");
+  }
+  line["status"] = "fine";
+  EXPECT_NE(schema.complaint(line).find("record.status: \"fine\" is none of"), std::string::npos);
+  line["status"] = "pass";
+  line["checks"][0].erase("evidence");
+  EXPECT_EQ(schema.complaint(line), "record.checks[0]: evidence is missing");
+  line["checks"][0]["evidence"] = "exact";
+  line["settings"][0]["seconds"] = 1.0;
+  EXPECT_EQ(schema.complaint(line), "record.settings[0]: seconds is not known");
+}
+
 TEST(Record, RejectsOtherLines) {
   EXPECT_THROW(static_cast<void>(from_json("{\"id\": 3}")), std::runtime_error);
   EXPECT_THROW(static_cast<void>(from_json("nonsense")), std::runtime_error);
@@ -129,6 +149,28 @@ TEST(Junit, IsWellFormedAndCounts) {
   EXPECT_NE(xml.find("<testsuite name=\"demo\" tests=\"2\" failures=\"1\" skipped=\"0\""), std::string::npos) << xml;
   EXPECT_NE(xml.find("<failure message=\"wrong value\">"), std::string::npos);
   EXPECT_NE(xml.find("<testsuite name=\"other\" tests=\"1\" failures=\"0\" skipped=\"1\""), std::string::npos);
+}
+
+TEST(Catalogue, CountsTheEvidence) {
+  const TemporaryCases cases;
+  const std::string published =
+      "[[reference]]\nname = \"book\"\nclass = \"published\"\nvalue = 2\nunit = \"-\"\nsource = \"b\"\n"
+      "locator = \"p. 1\"\nuncertainty = 0.1\n";
+  const std::string more =
+      "[[check]]\nname = \"printed\"\nquantity = \"answer\"\nreference = \"book\"\ntolerance = 0.1\n"
+      "basis = \"uncertainty\"\nreason = \"as printed\"\n"
+      "[[check]]\nname = \"kept\"\nkind = \"invariant\"\nquantity = \"answer\"\nlaw = \"sum\"\ntolerance = 1\n"
+      "basis = \"physics\"\nreason = \"r\"\n"
+      "[[check]]\nname = \"beside\"\ngates = false\nquantity = \"answer\"\nreference = \"two\"\ntolerance = 1\n"
+      "basis = \"physics\"\nreason = \"r\"\n";
+  const Case read = cases.read(plain_head + exact_two + published + check_two + more);
+  const Evidence evidence = evidence_of({read});
+  EXPECT_EQ(evidence.gating, 3);
+  EXPECT_EQ(evidence.with_reference, 2);
+  EXPECT_EQ(evidence.independent, 1);
+  EXPECT_EQ(evidence.by_law, 1);
+  EXPECT_EQ(evidence.share(), 0.5);
+  EXPECT_NE(catalogue_page({read}, {}).find("2 have a reference, 1 of them (50 %)"), std::string::npos);
 }
 
 TEST(Catalogue, TellsClaimsFromFigures) {

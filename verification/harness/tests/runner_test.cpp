@@ -126,6 +126,38 @@ TEST(Runner, GatesOnTheOrder) {
   EXPECT_EQ(run(text, answering_of_h([](double) { return 2.0; })).status, Status::checked_nothing);  // at the floor
 }
 
+TEST(Runner, KeepsClassRichardsonValueAndConvergenceIndexOfAnOrder) {
+  // The NASA triplet (order_test.cpp) with a fourth grid that its own power law gives at h = 8: the finest three
+  // decide.
+  const std::string text = plain_head + "[sweep.keys]\nparameters.h = [8, 4, 2, 1]\n" +
+                           "[[check]]\nname = \"order\"\nkind = \"order\"\nquantity = \"answer\"\n"
+                           "law = \"second order, less what the shock costs\"\nover = \"parameters.h\"\n"
+                           "expected = 1.786\nwindow = 0.001\nbasis = \"discretisation\"\nreason = \"as printed\"\n";
+  const CaseResult result = run(text, answering_of_h([](double h) {
+                                  return h == 1.0 ? 0.97050 : h == 2.0 ? 0.96854 : h == 4.0 ? 0.96178 : 0.93847;
+                                }));
+  EXPECT_EQ(result.status, Status::pass);
+  const OrderEstimate& order = result.checks.at(0).orders.at(0);
+  EXPECT_EQ(order.convergence, Convergence::monotone);
+  EXPECT_EQ(order.levels_used, 4);
+  EXPECT_NEAR(order.extrapolated, 0.97130, 5e-6);
+  EXPECT_NEAR(order.convergence_index, 0.00103, 5e-6);
+}
+
+TEST(Runner, OrdersMayOscillateAndMeetTheFloor) {
+  // (-1/4)^k: second order with alternating signs; from the fifth level on round-off of 1e-12 of either sign.
+  const std::string text =
+      plain_head + "[sweep.keys]\nparameters.h = [1, 0.5, 0.25, 0.125, 0.0625, 0.03125]\n" + exact_two + order_check;
+  const auto swinging = [](double h) {
+    const int level = static_cast<int>(std::lround(-std::log2(h)));
+    return level < 5 ? 2.0 + 1e-8 * std::pow(-0.25, level) : 2.0 - 4e-13;
+  };
+  const CaseResult result = run(text, answering_of_h(swinging));
+  EXPECT_EQ(result.status, Status::pass);
+  EXPECT_EQ(result.checks.at(0).orders.at(0).convergence, Convergence::oscillatory);
+  EXPECT_EQ(result.checks.at(0).orders.at(0).levels_used, 5);
+}
+
 TEST(Runner, RecordsErrorAndCostOfEverySetting) {
   const CaseResult result = run(plain_head + halving + exact_two + check_two + "at = \"last\"\nscale = 4\n",
                                 answering_of_h([](double h) { return 2.0 + 0.5 * h * h; }));
@@ -238,6 +270,11 @@ TEST(Runner, SkipsWhatTheMachineCannotRun) {
   const CaseResult result = run(plain_head + "[needs]\ncores = 100000\n" + exact_two + check_two, answering(2.0));
   EXPECT_EQ(result.status, Status::skipped);
   EXPECT_NE(result.message.find("100000 cores"), std::string::npos);
+  const CaseResult memory = run(plain_head + "[needs]\nmemory = 1e9\n" + exact_two + check_two, answering(2.0));
+  EXPECT_EQ(memory.status, Status::skipped);
+  EXPECT_NE(memory.message.find("GiB of memory"), std::string::npos);
+  EXPECT_FALSE(fails(memory.status));
+  EXPECT_EQ(run(plain_head + "[needs]\nmemory = 0.001\n" + exact_two + check_two, answering(2.0)).status, Status::pass);
 }
 
 const std::string ladder =

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <random>
 #include <stdexcept>
 #include <vector>
 
@@ -38,6 +39,31 @@ TEST(MedianInterval, IgnoresOutliersAndSeesAStep) {
   EXPECT_EQ(relative_spread(median_interval(series)), 0.0);
   for (std::size_t i = 10; i < series.size(); ++i) series[i] = 1.3;  // half of the series is 30 % slower
   EXPECT_NEAR(relative_spread(median_interval(series)), 0.15 / 1.3, 1e-12);
+}
+
+// Two series of 31 timings each with 2 % of noise (uniform, from a fixed generator), the second slower by `step`.
+bool intervals_part(std::mt19937& generator, double step) {
+  const auto series = [&](double level) {
+    std::vector<double> values(31);
+    for (double& value : values) value = level * (1.0 + 0.02 * (generator() / 2147483648.0 - 1.0));
+    return median_interval(values);
+  };
+  const MedianEstimate before = series(1.0), after = series(1.0 + step);
+  return before.high < after.low || after.high < before.low;
+}
+
+TEST(MedianInterval, TellsAPlantedStepFromNoise) {
+  std::mt19937 generator(7);
+  int false_alarms = 0, found = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    false_alarms += intervals_part(generator, 0.0);
+    found += intervals_part(generator, 0.03);
+  }
+  // Two 95 % intervals part by chance in about 0.6 % of trials (their half-widths add, their errors add in squares):
+  // 2.4 of 400; ten would be five standard deviations off. Of a uniform of half-width 2 % the median of 31 deviates by
+  // 0.02 / √33 = 0.35 %: a step of 3 % is 8 of these, twice the widths of both intervals.
+  EXPECT_LE(false_alarms, 10);
+  EXPECT_GE(found, 396);
 }
 
 }  // namespace
