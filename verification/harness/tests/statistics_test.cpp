@@ -45,7 +45,7 @@ TEST(MedianInterval, IgnoresOutliersAndSeesAStep) {
 bool intervals_part(std::mt19937& generator, double step) {
   const auto series = [&](double level) {
     std::vector<double> values(31);
-    for (double& value : values) value = level * (1.0 + 0.02 * (generator() / 2147483648.0 - 1.0));
+    for (double& value : values) value = level * (1.0 + 0.02 * (static_cast<double>(generator()) / 2147483648.0 - 1.0));
     return median_interval(values);
   };
   const MedianEstimate before = series(1.0), after = series(1.0 + step);
