@@ -122,12 +122,13 @@ const MarchState& FillingMarch::accept() noexcept {
     const double out = node + 1 == nodes ? downstream_flux_ : flux_[node];
     const double next =
         state_.voids[node] + (next_capacities_[node] - state_.capacities[node]) - time_step_ * (in - out);
-    state_.voids[node] = full_[node] ? 0.0 : std::clamp(next, 0.0, next_capacities_[node]);
+    state_.voids[node] = full_[node] ? 0.0 : std::min(next, next_capacities_[node]);
   }
   std::swap(state_.capacities, next_capacities_);
   state_.time += time_step_;
   inflow_.add(time_step_ * upstream_flux_);
   outflow_.add(time_step_ * downstream_flux_);
+  carry_excess();  // of water that is squeezed out of a node without pressure
   state_.inflow = inflow_.value();
   state_.outflow = outflow_.value();
   state_.moved += time_step_ * (std::abs(upstream_flux_) + std::abs(downstream_flux_));

@@ -162,9 +162,14 @@ void PressureSolver::solve_general() {
           bound.y == -1.0 && bound.segment > from.segment ? Location{bound.segment - 1, 1.0} : bound;
       upper = std::max(lower, free_constant(before.segment, before.y));
     }
+    const auto start_of = [&](double c) { return at_mouth ? mouth : rise_to(from, bound, c); };
+    const double start_pressure = at_mouth ? upstream_ : 0.0;
+    const auto minimum_of = [&](double c) { return lowest(start_of(c), start_pressure, c); };
     if (!at_mouth && !at_end) {
-      const Minimum highest = lowest(bound, 0.0, upper);
-      if (!(highest.residual.value < -highest.residual.floor)) {  // an island too small to press: on behind it
+      const auto positive = [](const Minimum& minimum) { return minimum.residual.value >= -minimum.residual.floor; };
+      // An island too small to press, or one on a slope squeezed so little that its weight alone exceeds what friction
+      // can bear up, whatever the flux: no pressure, on behind it.
+      if (positive(lowest(bound, 0.0, upper)) || (table_.inclined() && !positive(minimum_of(lower)))) {
         if (bound.segment + 1 >= n) return;
         from = rise_to({bound.segment + 1, -1.0}, end, upper);
         previous = upper;
@@ -172,9 +177,6 @@ void PressureSolver::solve_general() {
         continue;
       }
     }
-    const auto start_of = [&](double c) { return at_mouth ? mouth : rise_to(from, bound, c); };
-    const double start_pressure = at_mouth ? upstream_ : 0.0;
-    const auto minimum_of = [&](double c) { return lowest(start_of(c), start_pressure, c); };
     auto residual = [&](double c, bool) { return minimum_of(c).residual; };
     Region region;
     bool tip = false;

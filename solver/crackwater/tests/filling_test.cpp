@@ -322,5 +322,32 @@ TEST(FillingMarch, RefusesWhatItCannotUse) {
   EXPECT_EQ(march.step(w, {1e5, {}}, 0.1).status, ProfileStatus::converged);
 }
 
+TEST(FillingMarch, PassesOnWhatASqueezedIslandOnASlopeCannotBearUp) {
+  // Water that stands full on a rising stretch between voids, squeezed by a hair: its weight is more than friction
+  // holds at any flux, so that no pressure stands; what is squeezed out goes to the void behind it, and none is lost.
+  constexpr int segments = 20;
+  CrackLine line{.lengths = std::vector<double>(segments, 0.5), .rises = std::vector<double>(segments, 0.05)};
+  std::vector<double> apertures(segments + 1, 0.03);
+  FillingMarch march(line, {}, apertures);
+  MarchMemory memory = march.memory();
+  for (int node = 5; node <= segments; ++node) {
+    const bool island = node >= 9 && node <= 12;
+    memory.state.voids[static_cast<std::size_t>(node)] =
+        island ? 0.0 : 0.5 * memory.state.capacities[static_cast<std::size_t>(node)];
+  }
+  march.go_on(memory);
+  for (const double squeeze : {1e-15, 1e-12, 1e-9, 1e-6}) {
+    for (int node = 9; node <= 12; ++node) apertures[static_cast<std::size_t>(node)] = 0.03 * (1.0 - squeeze);
+    march.go_on(memory);
+    const double content = std::accumulate(memory.state.capacities.begin(), memory.state.capacities.end(), 0.0) -
+                           std::accumulate(memory.state.voids.begin(), memory.state.voids.end(), 0.0);
+    const MarchState& state = march.step(apertures, {.upstream = 3e3, .downstream = {}}, 0.01);
+    EXPECT_EQ(state.status, ProfileStatus::converged) << squeeze;
+    EXPECT_GE(*std::min_element(march.profile().pressure.begin(), march.profile().pressure.end()), 0.0) << squeeze;
+    EXPECT_GE(*std::min_element(state.voids.begin(), state.voids.end()), 0.0) << squeeze;
+    EXPECT_NEAR(state.content - (state.inflow - state.outflow), content, 1e-15) << squeeze;
+  }
+}
+
 }  // namespace
 }  // namespace sunder::crackwater
