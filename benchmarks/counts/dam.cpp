@@ -69,9 +69,9 @@ Work growth_event(long earlier) {
   return whole(
       [=] {
         const simulation::Growth growth = simulation::grow(dam->body, dam->formation, 0, dam->next);
-        const Eigen::MatrixXd moved = simulation::transfer_fields(dam->body, dam->formation, growth.body,
-                                                                  growth.same, growth.report, dam->fields)
-                                          .values;
+        const Eigen::MatrixXd moved =
+            simulation::transfer_fields(dam->body, dam->formation, growth.body, growth.same, growth.report, dam->fields)
+                .values;
         dam->carried = moved.col(0).sum() / (0.5 * static_cast<double>(growth.body.dofs()));
       },
       [=] { return std::abs(dam->carried - 1.0) < 1e-10; });

@@ -131,7 +131,7 @@ class Runs(unittest.TestCase):
         for job in koyna_runs.jobs(layout):
             self.assertTrue((koyna_runs.SCENES / f"{job.scene}.scene.toml").is_file(), job.scene)
         known = {row["case"] for row in koyna._table(koyna.DATA / "independent-koyna-2026/stationary.csv")}
-        self.assertEqual({c["name"] for c in layout["koyna"]["stationary"]["case"]}, known)
+        self.assertLessEqual({c["name"] for c in layout["koyna"]["stationary"]["case"]}, known)
 
 
 class InTheBrowser(unittest.TestCase):

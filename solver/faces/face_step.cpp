@@ -73,7 +73,7 @@ FaceStep::FaceStep(FaceStructure structure, const FaceStepOptions& options)
        {&motion_, &motion_from_, &motion_goal_, &force_, &moved_, &right_, &solution_, &result_.force, &result_.motion})
     values->setZero(m);
   for (VectorXd* values : {&mouth_, &mouth_from_, &mouth_goal_, &result_.mouth_pressure}) values->setZero(cracks);
-  for (VectorXd* values : {&free_opening_, &result_.opening, &result_.contact_force}) values->setZero(n);
+  for (VectorXd* values : {&free_opening_, &missing_opening_, &result_.opening, &result_.contact_force}) values->setZero(n);
   for (Iterate* iterate : {&at_, &trial_, &next_, &start_, &safe_}) {
     iterate->opening.setZero(n);
     iterate->contact.setZero(n);
@@ -172,8 +172,9 @@ void FaceStep::couple_water(const Iterate& at) {
       rows.noalias() -= water.by_opening * structure_.answer.middleRows(crack.first, crack.pairs);
       rows.noalias() -= water.by_mouth * structure_.mouth.row(static_cast<Index>(c));
       right = water.force;
-      right.noalias() +=
-          water.by_opening * (motion_.segment(crack.first, crack.pairs) - at.opening.segment(pair, crack.pairs));
+      auto missing = missing_opening_.head(crack.pairs);  // a product of an expression would ask for memory
+      missing = motion_.segment(crack.first, crack.pairs) - at.opening.segment(pair, crack.pairs);
+      right.noalias() += water.by_opening * missing;
       right += (mouth_[static_cast<Index>(c)] - at.mouth[static_cast<Index>(c)]) * water.by_mouth;
     }
     pair += crack.pairs;

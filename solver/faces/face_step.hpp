@@ -140,7 +140,7 @@ class FaceStep {
   bool water_found_ = true;  // by all waters at the place where they were applied last
   // for one solve: what is approached, and what the continuation has reached
   Eigen::VectorXd motion_, mouth_, motion_from_, mouth_from_, motion_goal_, mouth_goal_;
-  Eigen::VectorXd force_, moved_;
+  Eigen::VectorXd force_, moved_, missing_opening_;
   Iterate at_, trial_, next_, start_, safe_;
   double stiffness_ = 0.0, opening_bound_ = 1.0, pressure_bound_ = 1.0;
   // the linear problem of an iteration
