@@ -73,7 +73,8 @@ FaceStep::FaceStep(FaceStructure structure, const FaceStepOptions& options)
        {&motion_, &motion_from_, &motion_goal_, &force_, &moved_, &right_, &solution_, &result_.force, &result_.motion})
     values->setZero(m);
   for (VectorXd* values : {&mouth_, &mouth_from_, &mouth_goal_, &result_.mouth_pressure}) values->setZero(cracks);
-  for (VectorXd* values : {&free_opening_, &missing_opening_, &result_.opening, &result_.contact_force}) values->setZero(n);
+  for (VectorXd* values : {&free_opening_, &missing_opening_, &result_.opening, &result_.contact_force})
+    values->setZero(n);
   for (Iterate* iterate : {&at_, &trial_, &next_, &start_, &safe_}) {
     iterate->opening.setZero(n);
     iterate->contact.setZero(n);
