@@ -49,7 +49,7 @@ void read_value(const Node& node, double& out, const Reading& reading) {
   const bool number = node.kind == Node::Kind::number || node.kind == Node::Kind::integer;
   if (!number || !std::isfinite(node.number) || !reading.facts.range.holds(node.number))
     return reading.wrong(node, "a number");
-  out = node.number;
+  out = reading.findings.filtered(node.number);
 }
 
 void read_value(const Node& node, int& out, const Reading& reading) {

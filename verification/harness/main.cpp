@@ -15,6 +15,7 @@
 #include "verification/harness/fault_names.hpp"
 #include "verification/harness/faults.hpp"
 #include "verification/harness/isolation.hpp"
+#include "verification/harness/jitter.hpp"
 #include "verification/harness/junit.hpp"
 #include "verification/harness/negatives.hpp"
 #include "verification/harness/record.hpp"
@@ -31,8 +32,8 @@ constexpr int all_right = 0, something_failed = 1, unusable_input = 2;
 
 struct Arguments {
   std::string root, id, label, family, output, junit, commit, records;
-  bool repeat = false, update_pins = false, in_process = false, write = false;
-  int threads = 1;
+  bool repeat = false, update_pins = false, in_process = false, write = false, trap = false;
+  int threads = 1, other_threads = 0;
   double timeout = 0.0;
 };
 
@@ -102,13 +103,20 @@ bool shows_run_time(const Case& entry) {
   return entry.sweep && !entry.sweep->error.empty() && !entry.ladder;
 }
 
-CaseResult run_entry(const Case& entry, const Arguments& arguments, bool with_faults) {
+enum class Command { run, negatives, jitter };
+
+CaseResult run_entry(const Case& entry, const Arguments& arguments, Command command) {
   const Study& study = study_of(entry);
   const RunnerOptions options{.threads = arguments.threads,
                               .pins = read_pins(entry),
                               .today = today(),
-                              .repeat = arguments.repeat && shows_run_time(entry)};
-  if (!with_faults) return run_here_or_isolated(entry, arguments, [&] { return run_case(entry, study, options); });
+                              .repeat = arguments.repeat && shows_run_time(entry),
+                              .other_threads = arguments.other_threads,
+                              .trap = arguments.trap};
+  if (command == Command::run)
+    return run_here_or_isolated(entry, arguments, [&] { return run_case(entry, study, options); });
+  if (command == Command::jitter)
+    return run_here_or_isolated(jitter_case(entry), arguments, [&] { return run_jitter_case(entry, options); });
   return run_negatives(entry, *fault_control(), [&](const auto& before, const auto& after) {
     return run_here_or_isolated(entry, arguments, [&] {
       before();
@@ -119,7 +127,7 @@ CaseResult run_entry(const Case& entry, const Arguments& arguments, bool with_fa
   });
 }
 
-int run(const Arguments& arguments, const CaseFolders& folders, bool with_faults) {
+int run(const Arguments& arguments, const CaseFolders& folders, Command command) {
   Selection selection = select_cases(arguments, folders);
   if (selection.cases.empty() && selection.unreadable.empty()) throw std::runtime_error("no case matches");
   Environment from = environment(arguments.threads, arguments.commit);
@@ -134,9 +142,10 @@ int run(const Arguments& arguments, const CaseFolders& folders, bool with_faults
   };
   for (CaseResult& result : selection.unreadable) finish(std::move(result));
   for (const Case& entry : selection.cases) {
-    if (with_faults && entry.negatives.empty()) continue;
+    if (command == Command::negatives && entry.negatives.empty()) continue;
+    if (command == Command::jitter && entry.study != "scene" && arguments.id.empty()) continue;
     try {
-      CaseResult result = run_entry(entry, arguments, with_faults);
+      CaseResult result = run_entry(entry, arguments, command);
       if (arguments.update_pins) {
         write_pins(entry, result);
         std::cout << "pins of " << entry.id << " stored\n";
@@ -231,6 +240,12 @@ int main(int argc, char** argv) {
     command->add_option("--junit", arguments.junit, "File of results to write as JUnit XML");
     command->add_option("--commit", arguments.commit, "Commit to name in the records");
     command->add_option("--threads", arguments.threads, "Threads of a run")->check(CLI::Range(1, 1024));
+    command
+        ->add_option("--other-threads", arguments.other_threads,
+                     "Run each setting once more with so many threads; the bits must be the same")
+        ->check(CLI::Range(1, 1024));
+    command->add_flag("--trap", arguments.trap,
+                      "Invalid operations, divisions by zero and overflows end the case where they happen");
     command->add_option("--timeout", arguments.timeout, "Wall seconds for a case, instead of those of its tier");
     command->add_flag("--in-process", arguments.in_process, "Run in this process, for debuggers");
   };
@@ -244,6 +259,9 @@ int main(int argc, char** argv) {
   CLI::App* negatives_command =
       app.add_subcommand("negatives", "Plant the faults that the cases name; their checks must fail");
   runs(negatives_command);
+  CLI::App* jitter_command = app.add_subcommand(
+      "jitter", "Run scenes thirty times with every number moved by its last bit: the digits that may be trusted");
+  runs(jitter_command);
   CLI::App* faults_command = app.add_subcommand("faults", "Which cases name each fault that the solver can plant");
   CLI::App* catalogue_command =
       app.add_subcommand("catalogue", "Check verification/README.md against the cases, or write it");
@@ -263,7 +281,8 @@ int main(int argc, char** argv) {
     if (*catalogue_command) return catalogue(arguments, folders, root / "verification" / "README.md");
     if (*negatives_command && !fault_control())
       throw std::runtime_error("this program holds no faults; sunder-verify-faulted does");
-    return run(arguments, folders, static_cast<bool>(*negatives_command));
+    return run(arguments, folders,
+               *negatives_command ? Command::negatives : (*jitter_command ? Command::jitter : Command::run));
   } catch (const std::exception& error) {
     std::cerr << "sunder-verify: " << error.what() << "\n";
     return unusable_input;

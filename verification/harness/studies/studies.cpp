@@ -12,6 +12,7 @@ const Studies& studies() {
       {"kernel-march", run_kernel_march},
 #ifdef SUNDER_HAS_SIMULATION
       {"scene", run_scene},
+      {"scene-jitter", run_scene_jitter},
       {"crack-water-motion", run_crack_water_motion},
       {"polynomial-patch", run_polynomial_patch},
       {"state-transfer", run_state_transfer},
