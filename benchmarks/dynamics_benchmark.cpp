@@ -6,27 +6,16 @@
 
 #include <benchmark/benchmark.h>
 
-#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <string>
 
+#include "solver/numerics/tests/allocation_count.hpp"
 #include "solver/sbfem/assembly.hpp"
 #include "solver/scene/reader.hpp"
 #include "solver/simulation/dynamic_options.hpp"
 #include "solver/simulation/dynamic_step.hpp"
 #include "solver/simulation/run.hpp"
-
-namespace {
-std::atomic<long> allocations{0};
-}
-
-// Eigen allocates past operator new, and operator new comes here too: with glibc every block does.
-extern "C" void* __libc_malloc(std::size_t size);
-extern "C" [[gnu::noinline]] void* malloc(std::size_t size) {
-  allocations.fetch_add(1, std::memory_order_relaxed);
-  return __libc_malloc(size);
-}
 
 namespace {
 
@@ -100,9 +89,9 @@ void linear_step(benchmark::State& state) {
   ShakenDam dam;
   for (int i = 0; i < 100; ++i) dam.move();
   if (!dam.is_right(state)) return;
-  const long before = allocations;
+  const long before = numerics::allocations;
   for (int i = 0; i < 100; ++i) dam.move();
-  if (allocations != before) return state.SkipWithError("a step allocated");
+  if (numerics::allocations != before) return state.SkipWithError("a step allocated");
   for (auto _ : state) dam.move();
   if (!dam.is_right(state)) return;
   state.counters["nodes"] = dam.nodes();
@@ -116,11 +105,11 @@ void trial_of_a_step(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(dam.step->equations().trial(dam.state, dam.start, dam.end).data());
 }
 
-void back_substitution(benchmark::State& state, numerics::FactorLayout layout) {
+void back_substitution(benchmark::State& state) {
   ShakenDam dam;
   dam.move();
   const numerics::SymmetricFactor factor(dam.step->equations().stiffness() + 1e5 * dam.step->equations().mass(),
-                                         {.layout = layout, .block = 2});
+                                         {.block = 2});
   VectorXd b = VectorXd::Ones(dam.state.displacement.size()), x = b;
   for (auto _ : state) {
     x = b;
@@ -129,26 +118,36 @@ void back_substitution(benchmark::State& state, numerics::FactorLayout layout) {
   }
 }
 
-/// K x and M z.
+/// K and M times two vectors each.
 void products(benchmark::State& state, bool in_one_pass) {
   ShakenDam dam;
   dam.move();
-  const StepEquations& equations = dam.step->equations();
-  VectorXd x = VectorXd::LinSpaced(dam.state.displacement.size(), -1.0, 1.0), z = x.cwiseAbs2(), Kx = x, Mz = z;
-  equations.multiply(x, z, Kx, Mz);
-  const VectorXd K_x = equations.stiffness().selfadjointView<Eigen::Lower>() * x;
-  const VectorXd M_z = equations.mass().selfadjointView<Eigen::Lower>() * z;
-  if (!((Kx - K_x).norm() < 1e-14 * K_x.norm() && (Mz - M_z).norm() < 1e-14 * M_z.norm()))
+  const Eigen::SparseMatrix<double> K = dam.step->equations().stiffness(), M = dam.step->equations().mass();
+  const numerics::NodeProducts blocks(K, M);
+  const VectorXd x = VectorXd::LinSpaced(K.rows(), -1.0, 1.0), z = x.cwiseAbs2();
+  Eigen::MatrixX2d both(K.rows(), 2), K_both = both, M_both = both;
+  both << x, z;
+  numerics::VectorPair pair(4, K.rows() / 2), K_pair = pair, M_pair = pair;
+  pair << x.reshaped(2, pair.cols()), z.reshaped(2, pair.cols());
+  blocks.multiply(pair, pair, K_pair, M_pair);
+  K_both.noalias() = K.selfadjointView<Eigen::Lower>() * both;
+  M_both.noalias() = M.selfadjointView<Eigen::Lower>() * both;
+  const auto error = [](const numerics::VectorPair& found, const Eigen::MatrixX2d& right) {
+    return ((found.topRows<2>() - right.col(0).reshaped(2, found.cols())).norm() +
+            (found.bottomRows<2>() - right.col(1).reshaped(2, found.cols())).norm()) /
+           right.norm();
+  };
+  if (!(error(K_pair, K_both) < 1e-14 && error(M_pair, M_both) < 1e-14))
     return state.SkipWithError("the products are wrong");
   for (auto _ : state) {
     if (in_one_pass) {
-      equations.multiply(x, z, Kx, Mz);
+      blocks.multiply(pair, pair, K_pair, M_pair);
     } else {
-      Kx.noalias() = equations.stiffness().selfadjointView<Eigen::Lower>() * x;
-      Mz.noalias() = equations.mass().selfadjointView<Eigen::Lower>() * z;
+      K_both.noalias() = K.selfadjointView<Eigen::Lower>() * both;
+      M_both.noalias() = M.selfadjointView<Eigen::Lower>() * both;
     }
-    benchmark::DoNotOptimize(Kx.data());
-    benchmark::DoNotOptimize(Mz.data());
+    benchmark::DoNotOptimize(K_pair.data());
+    benchmark::DoNotOptimize(M_both.data());
   }
 }
 
@@ -226,8 +225,7 @@ void compressible_water_on_rock(benchmark::State& state) {
 
 BENCHMARK(linear_step)->Unit(benchmark::kMicrosecond);
 BENCHMARK(trial_of_a_step)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(back_substitution, supernodal, numerics::FactorLayout::supernodal)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(back_substitution, columns, numerics::FactorLayout::columns)->Unit(benchmark::kMicrosecond);
+BENCHMARK(back_substitution)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(products, in_one_pass, true)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(products, by_eigen, false)->Unit(benchmark::kMicrosecond);
 BENCHMARK(energy_of_a_step)->Unit(benchmark::kMicrosecond);

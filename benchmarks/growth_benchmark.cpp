@@ -126,8 +126,7 @@ void carrying_fields_over(benchmark::State& state) {
     fields.row(2 * i + 1) << 0.0, 1.0, x.x();
   }
   const auto carry = [&] {
-    return simulation::transfer_fields(dam().body, dam().formation, grown().body, grown().formation, grown().report,
-                                       fields);
+    return simulation::transfer_fields(dam().body, dam().formation, grown().body, grown().same, grown().report, fields);
   };
   const simulation::TransferredFields moved = carry();
   for (int i = 0; i < grown().body.nodes.node_count(); ++i) {
@@ -199,7 +198,7 @@ void whole_event(benchmark::State& state) {
   for (auto _ : state) {
     const simulation::Growth growth = simulation::grow(dam().body, dam().formation, 0, dam().next);
     benchmark::DoNotOptimize(
-        simulation::transfer_fields(dam().body, dam().formation, growth.body, growth.formation, growth.report, fields));
+        simulation::transfer_fields(dam().body, dam().formation, growth.body, growth.same, growth.report, fields));
     const numerics::SymmetricFactor factor(held_stiffness(growth.body, growth.formation), {.block = 2});
     const crack::CrackPairs pairs = crack::crack_pairs(growth.body.polygons, growth.body.nodes, 0);
     benchmark::DoNotOptimize(face_compliance(factor, pairs));

@@ -9,7 +9,7 @@ from reports.records import HARMLESS
 # Every part the project is to cover, in the order of the report; a part without a case is shown as without evidence.
 FAMILIES = {
     "patch": "Patch tests", "sif": "Stress intensity", "modal": "Free vibration", "stability": "Stability",
-    "dynamic": "Dynamics", "contact": "Contact", "crack-water": "Water in cracks", "reservoir": "Reservoir",
+    "dynamics": "Dynamics", "contact": "Contact", "crack-water": "Water in cracks", "reservoir": "Reservoir",
     "foundation": "Foundation", "convolution": "Convolution", "propagation": "Crack growth", "koyna": "Koyna dam",
 }
 

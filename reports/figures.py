@@ -119,7 +119,8 @@ def legend(axes, columns):
 
 
 def error_against_time(key, points, failed, quantity, floor=1e-16):
-    """Every setting's error over its CPU time, the dominance front, the default ringed, failed settings at the top."""
+    """Every setting's error over its CPU time, the dominance front, the default ringed, failed settings at the top. The line
+    of a series joins those of its settings that no other of the series beats."""
     if not points:
         raise FigureError(f"{key}: no setting has an error and a time")
     shown = [Point(p.seconds, max(p.error, floor), p.series, p.label, p.standard) for p in points]
@@ -132,8 +133,10 @@ def error_against_time(key, points, failed, quantity, floor=1e-16):
         axes.step([p.seconds for p in front], [p.error for p in front], where="post", color=SOFT, linewidth=4.5, alpha=0.22,
                   solid_capstyle="round", label="front", zorder=1)
         for i, name in enumerate(names):
-            line = sorted((p for p in shown if p.series == name), key=lambda p: p.seconds)
-            axes.plot([p.seconds for p in line], [p.error for p in line], **_pen(i), label=name or "settings", zorder=3)
+            own = [p for p in shown if p.series == name]
+            line, pen = dominance_front(own), _pen(i)
+            axes.plot([p.seconds for p in own], [p.error for p in own], linestyle="none", **pen, zorder=3)
+            axes.plot([p.seconds for p in line], [p.error for p in line], **pen, label=name or "settings", zorder=3)
         for p in shown:
             if p.standard:
                 axes.plot(p.seconds, p.error, "o", markersize=10, markerfacecolor="none", markeredgecolor=INK, markeredgewidth=1.1,
@@ -143,8 +146,26 @@ def error_against_time(key, points, failed, quantity, floor=1e-16):
             axes.plot(failed, [top] * len(failed), "x", color=BAD, markersize=5.5, markeredgewidth=1.4, label="no answer", zorder=4)
         _powers(axes.yaxis)
         _durations(axes.xaxis)
-        legend(axes, 3)
+        legend(axes, 3 if max(map(len, names)) < 26 else 2)
         caption = f"Error of {quantity} against CPU time, {words.count(len(points), 'setting')}"
+        return Figure(key, element(figure, key, caption), caption)
+
+
+def peers(key, programs, quantity, caption):
+    """Fronts of several programs on one problem; `programs`: name -> (front, all points)."""
+    if not programs or not all(front for front, _ in programs.values()):
+        raise FigureError(f"{key}: a program without a point")
+    with plt.rc_context(STYLE):
+        figure, axes = new_axes("CPU time, mesh and solution", f"error of {quantity}", (SIZE[0], SIZE[1] + 0.35))
+        axes.set_xscale("log")
+        axes.set_yscale("log")
+        for i, (name, (front, points)) in enumerate(programs.items()):
+            pen = _pen(i)
+            axes.plot([p.seconds for p in points], [p.error for p in points], linestyle="none", alpha=0.3, zorder=2, **pen)
+            axes.plot([p.seconds for p in front], [p.error for p in front], label=name, zorder=3, **pen)
+        _powers(axes.yaxis)
+        _durations(axes.xaxis)
+        legend(axes, 3)
         return Figure(key, element(figure, key, caption), caption)
 
 

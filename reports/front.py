@@ -37,7 +37,8 @@ def time_to(points, error):
     return min((p for p in points if p.error <= error), key=lambda p: p.seconds, default=None)
 
 
-def default_factor(points):
-    """CPU time of the default over that of the fastest setting with an error no larger; None without a default."""
+def default_factor(points, known=0.0):
+    """CPU time of the default over that of the fastest setting with an error no larger; None without a default. The answer is
+    known to `known`: errors below it are equally good."""
     default = next((p for p in points if p.standard), None)
-    return default.seconds / time_to(points, default.error).seconds if default else None
+    return default.seconds / time_to(points, max(default.error, known)).seconds if default else None

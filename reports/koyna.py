@@ -193,13 +193,16 @@ def _figures(runs, wanted, section, data):
     printed = [(e["model"] - 1, e["time"], e["printed"]) for e in wanted["printed"] if e["quantity"] == "crack_length"]
     times, works, stored, left = account(runs[3])
     early, late = wanted["times"]
+    lengths = [(n, r.history["time"], r.history["crack_length"]) for n, r in named]
     return {
+        "first": koyna_figures.lengths("first-koyna", lengths, printed,
+                                       "Koyna dam, earthquake of 1967: length of the crack in the three models, and the lengths that the seed paper prints"),
         "record": koyna_figures.ground_motion("koyna-record", [_record(data, n) for n in ("horizontal", "vertical")],
                                               "The record of 11 December 1967 (the paper's figure 4); the scenes reverse the horizontal component"),
         "opening": koyna_figures.mouth_opening("koyna-opening", [(n, r.history["time"], r.column("crack_mouth_opening", 1e3)) for n, r in named],
                                                "Opening of the crack's mouth (figure 5); below, the range of the models with contact. Below 0 the faces overlap"),
         "paths": koyna_figures.crack_paths("koyna-paths", outline, paths, "Where the cracks went (figure 6), on the section and by themselves"),
-        "lengths": koyna_figures.lengths("koyna-lengths", [(n, r.history["time"], r.history["crack_length"]) for n, r in named], printed,
+        "lengths": koyna_figures.lengths("koyna-lengths", lengths, printed,
                                          "Length of the cracks, and the lengths that the paper prints"),
         "pressures": koyna_figures.pressures("koyna-pressures", _profiles(runs, wanted),
                                              f"Pressure of the water along the crack at {early:g} s and {late:g} s (figure 7)"),

@@ -6,7 +6,7 @@ import tomllib
 
 import jinja2
 
-from reports import bibliography, evidence, studies, words
+from reports import bibliography, evidence, problems, studies, words
 from reports.front import LEVELS
 from reports.records import HARMLESS, STATUSES
 from reports.studies import LayoutError
@@ -15,13 +15,16 @@ HERE = pathlib.Path(__file__).parent
 LARGEST_PAGE = 10_000_000  # bytes
 
 CONTENTS = (("verdict", "Verdict"), ("trust", "Trust matrix"), ("numbers", "Ten numbers"), ("scenes", "Scenes"), ("koyna", "Koyna"), ("run-time", "Error against run time"),
-            ("ladders", "Stability"), ("faults", "Planted faults"), ("costs", "Costs"), ("cases", "Cases"), ("limits", "Known limits"),
+            ("peers", "Other programs"), ("ladders", "Stability"), ("faults", "Planted faults"), ("costs", "Costs"), ("changes", "Changes"), ("cases", "Cases"), ("limits", "Known limits"),
             ("environment", "Environment"))
 
 
 def read_layout(path=HERE / "layout.toml"):
-    with path.open("rb") as file:
-        return tomllib.load(file)
+    """The layout; its ten numbers stand in a file that `sunder-verify doctor` reads too."""
+    layout = tomllib.loads(path.read_text(encoding="utf-8"))
+    if "numbers" in layout:
+        layout["number"] = tomllib.loads((HERE.parent / layout["numbers"]).read_text(encoding="utf-8"))["number"]
+    return layout
 
 
 def _find(cases, identity, where):
@@ -105,32 +108,25 @@ def _families(cases, works):
             for family, name in names.items() if any(c.family == family for c in cases)]
 
 
-def _hero(layout, cases):
-    """The first screen's figure: the sweeps of the cases that the layout names, which ask the same of one problem."""
-    wanted = layout["hero"]
-    named = [(entry.get("name", ""), _find(cases, entry["case"], "hero")) for entry in wanted["cases"]]
-    for _, case in named:
-        if not case.sweep.error:
-            raise LayoutError(f"layout: hero: {case.id} has no sweep with an error")
-    return {"title": wanted["title"], **studies.joint_sweep(named, wanted["quantity"], "hero")}
-
-
-def view(records, layout, works, scenes, koyna=None):
-    """Everything the template shows, as plain values. `works`: the bibliography; `scenes`: of scenes.read; `koyna`: of koyna.read."""
+def view(records, layout, works, scenes, koyna=None, peers=None, changes=None, costs=None, kill_matrix=None):
+    """Everything the template shows, as plain values. `works`: the bibliography; `scenes`: of scenes.read; `koyna`: of koyna.read;
+    `peers`: of peers.read; `changes`: of compare.section; `costs`: of costs.read; `kill_matrix`: of kill_matrix.read."""
     cases = records.cases
-    hero, numbers = _hero(layout, cases), [_number(n, cases, works) for n in layout["number"]]
+    hero, numbers = problems.first(layout, cases), [_number(n, cases, works) for n in layout["number"]]
     benchmark_figures = studies.benchmark_figures(layout, records.benchmarks)
-    sweeps = studies.sweeps(cases)
+    shown = problems.problems(layout, cases)
+    told = {case.id for problem in shown for case in problem["cases"]}
+    sweeps = studies.sweeps([c for c in cases if c.id not in told])
     ladders = studies.ladders(cases)
-    for name, found in (("sweep", sweeps), ("ladder", ladders), ("planted fault", [n for c in cases for n in c.negatives])):
+    for name, found in (("ladder", ladders), ("planted fault", [n for c in cases for n in c.negatives])):
         if not found:
             raise LayoutError(f"records: no {name}; the report would have an empty section")
     facts = dict(records.environment.facts)
     headline = " · ".join(f"{name} {facts[name]}" for name in ("version", "commit") if name in facts)
     return {
-        "contents": [entry for entry in CONTENTS if koyna or entry[0] != "koyna"], "koyna": koyna, "headline": headline, "verdict": evidence.verdict(cases), "facts": evidence.facts(cases),
+        "contents": [entry for entry in CONTENTS if (koyna or entry[0] != "koyna") and (peers or entry[0] != "peers")], "koyna": koyna, "headline": headline, "verdict": evidence.verdict(cases), "facts": evidence.facts(cases),
         "matrix": evidence.trust_matrix(cases), "hero": hero, "command": layout["command"],
-        "numbers": numbers, "scenes": scenes, "sweeps": sweeps, "levels": [w for _, w in LEVELS],
+        "numbers": numbers, "scenes": scenes, "problems": shown, "sweeps": sweeps, "peers": peers, "peers_words": layout.get("peers", {}).get("words", ""), "changes": changes, "costs": costs, "kill_matrix": kill_matrix, "levels": [w for _, w in LEVELS],
         "ladders": ladders, "kills": evidence.kills(cases),
         "benchmark_figures": benchmark_figures, "benchmark_tables": studies.benchmark_tables(records.benchmarks), "families": _families(cases, works),
         "statuses": [s for s in STATUSES if any(c.status == s for c in cases)],

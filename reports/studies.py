@@ -18,18 +18,20 @@ class LayoutError(ValueError):
     """The layout names a case, a check or a benchmark that the records do not hold."""
 
 
-def _series(case):
+def _series(case, telling=None):
     """The name of each setting's curve: the values of the keys that tell curves apart. Curves of a single point are joined
     with those that share their first key, since a line says more than its points in eight colours."""
-    names = [words.setting((k, v) for k, v in s.keys if k in case.sweep.series) for s in case.settings]
-    first = [words.setting((k, v) for k, v in s.keys if k in case.sweep.series[:1]) for s in case.settings]
+    telling = case.sweep.series if telling is None else telling
+    names = [words.setting((k, v) for k, v in s.keys if k in telling) for s in case.settings]
+    first = [words.setting((k, v) for k, v in s.keys if k in telling[:1]) for s in case.settings]
     return [joint if names.count(name) == 1 else name for name, joint in zip(names, first)]
 
 
-def points_of(case):
-    """(points with an error and a time, CPU times of the settings that gave no answer)."""
+def points_of(case, telling=None):
+    """(points with an error and a time, CPU times of the settings that gave no answer). `telling`: the keys that tell curves
+    apart, instead of the case's own."""
     points, failed = [], []
-    for s, series in zip(case.settings, _series(case)):
+    for s, series in zip(case.settings, _series(case, telling)):
         error = s.errors.get(case.sweep.error, math.nan)
         if s.status == "pass" and not math.isnan(error) and s.cpu_seconds > 0:
             points.append(Point(s.cpu_seconds, error, series, words.setting(s.keys), s.standard))
@@ -38,11 +40,22 @@ def points_of(case):
     return points, failed
 
 
-def _sweep(points, failed, quantity, key):
-    """Figure, sentence and times of the settings of one problem."""
+def known_to(case):
+    """The relative uncertainty of the reference of the check whose error a case's sweep shows; 0 where it is exact or a law."""
+    check = next((c for c in case.checks if c.name == case.sweep.error), None)
+    reference = next((r for r in case.references if check and r.name == check.reference_name), None)
+    if reference is None or not reference.uncertainty > 0:
+        return 0.0
+    if reference.relative:
+        return reference.uncertainty
+    return reference.uncertainty / abs(check.reference) if abs(check.reference) > 0 else 0.0
+
+
+def describe(points, failed, quantity, key, known=0.0):
+    """Figure, sentence and times of the settings of one problem whose answer is known to `known`."""
     figure = figures.error_against_time(key, points, failed, quantity)
     front = dominance_front(points)
-    factor = default_factor(points)
+    factor = default_factor(points, known)
     best = front[-1]
     text = f"The smallest error is {words.error(best.error)}, in {words.seconds(best.seconds)} ({best.label})."
     if factor is None:
@@ -52,29 +65,33 @@ def _sweep(points, failed, quantity, key):
         text += (f" The default ({default.label}) reaches {words.error(default.error)} in {words.seconds(default.seconds)}: "
                  + ("it is on the front." if factor <= 1.0 + 1e-12 else
                     f"{words.factor(factor)} the time of the fastest setting that is as good"
-                    + ("." if factor <= ACCEPTED_FACTOR else f", above the {ACCEPTED_FACTOR:g} × that a default may cost unexplained.")))
+                    + ("." if factor <= ACCEPTED_FACTOR else f", more than the {ACCEPTED_FACTOR:g} × that a default may cost unexplained.")))
     if failed:
         text += f" {words.count(len(failed), 'setting')} gave no answer."
+    if best.error < known:
+        text += f" The reference is known to {words.error(known)}: errors below that say no more."
     times = [time_to(points, level) for level, _ in LEVELS]
-    return {"figure": figure, "words": text, "factor": "no default" if factor is None else words.factor(factor),
+    return {"figure": figure, "words": text, "best": f"{words.error(best.error)} in {words.seconds(best.seconds)} ({best.label})",
+            "factor": "no default" if factor is None else words.factor(factor),
             "times": [{"seconds": words.seconds(t.seconds) if t else "not reached", "setting": t.label if t else ""} for t in times]}
 
 
 def sweep(case):
     """Figure, sentence and times of one case's sweep."""
     points, failed = points_of(case)
-    return {"case": case, **_sweep(points, failed, case.sweep.error, f"sweep-{case.anchor}")}
+    return {"case": case, **describe(points, failed, case.sweep.error, f"sweep-{case.anchor}")}
 
 
-def joint_sweep(named_cases, quantity, key):
-    """The sweeps of several cases that ask the same of one problem in one figure; `named_cases`: [(name, case)]. The default
-    is that of the first."""
+def joint_points(named_cases):
+    """Points and failed times of several cases that ask the same of one problem; `named_cases`: [(name, case, keys that tell
+    its curves apart or None for its own)]. The default is that of the first."""
     joint, without_answer = [], []
-    for i, (name, case) in enumerate(named_cases):
-        points, failed = points_of(case)
-        joint += [replace(p, standard=p.standard and i == 0, series=", ".join(filter(None, (name, p.series))), label=", ".join(filter(None, (name, p.label)))) for p in points]
+    for i, (name, case, telling) in enumerate(named_cases):
+        points, failed = points_of(case, telling)
+        joint += [replace(p, standard=p.standard and i == 0, series=", ".join(filter(None, (name, p.series))),
+                          label=", ".join(filter(None, (name, p.label)))) for p in points]
         without_answer += failed
-    return _sweep(joint, without_answer, quantity, key)
+    return joint, without_answer
 
 
 def sweeps(cases):

@@ -91,13 +91,29 @@ class Contents(Folder):
         self.assertEqual(row["verdict"], "survived")
 
     def test_time_to_an_error_is_the_fastest_setting_that_reaches_it(self):
-        sweep = next(s for s in view()["sweeps"] if s["case"].id == "sif/edge-crack")
-        self.assertEqual([t["seconds"] for t in sweep["times"]], ["1.1 ms", "1.5 ms", "6.2 ms"])
-        self.assertEqual(sweep["factor"], "1 ×")
+        problem = view()["problems"][0]
+        self.assertEqual([t["seconds"] for t in problem["times"]], ["1.1 ms", "1.5 ms", "6.2 ms"])
+        self.assertEqual(problem["factor"], "1 ×")
+        self.assertEqual([s["case"].id for s in view()["sweeps"]], ["modal/roller-square"])  # the others belong to a problem
+
+    def test_default_that_costs_too_much_is_explained_or_marked(self):
+        cases = synthetic.catalogue()
+        for setting in next(c for c in cases if c["id"] == "sif/edge-crack")["settings"]:
+            if setting["default"]:
+                setting["cpu_seconds"] *= 10
+        for explained in ("", "It holds a dam."):
+            with self.subTest(explained=explained), tempfile.TemporaryDirectory() as name:
+                folder = pathlib.Path(name)
+                synthetic.write(folder, cases=cases)
+                layout = page.read_layout(LAYOUT)
+                layout["problem"] = [{**layout["problem"][0], "explained": explained}]
+                text = page.render(page.view(records.read(folder, folder / "cases"), layout, WORKS, []))
+                self.assertEqual("✗ not explained" in text, not explained)
+                self.assertEqual("It holds a dam." in text, bool(explained))
 
     def test_first_screen_joins_the_sweeps_of_several_cases(self):
         layout = page.read_layout(LAYOUT)
-        layout["hero"]["cases"] = [{"case": "sif/edge-crack", "name": "tension"}, {"case": "sif/edge-crack-shear", "name": "shear"}]
+        layout["problem"].reverse()
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             synthetic.write(folder)
@@ -145,8 +161,8 @@ class Missing(Folder):
         page.view(records.read(self.folder, self.folder / "cases"), {**page.read_layout(LAYOUT), **changes}, WORKS, [])
 
     def test_first_screen_without_its_case(self):
-        with self.assertRaisesRegex(LayoutError, "hero: no record of the case 'sif/none'"):
-            self.fails(hero={"cases": [{"case": "sif/none"}], "title": "", "quantity": ""})
+        with self.assertRaisesRegex(LayoutError, "problem 'a': no record of the case 'sif/none'"):
+            self.fails(problem=[{"cases": [{"case": "sif/none"}], "title": "a", "quantity": ""}])
 
     def test_number_without_its_check(self):
         with self.assertRaisesRegex(LayoutError, "sif/edge-crack has no check 'K_V'; it has K_I"):

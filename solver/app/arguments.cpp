@@ -30,6 +30,18 @@ void add_scene(CLI::App& command, Arguments& arguments, std::vector<std::string>
       ->allow_extra_args(false);
 }
 
+void add_running(CLI::App& command, Arguments& arguments) {
+  command
+      .add_option("--cache", arguments.cache,
+                  "Folder that keeps responses of unbounded rock between runs [default: none is kept]")
+      ->type_name("DIR");
+  command.add_option("--threads", arguments.threads, "Threads; the results are the same bits for any number")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command.add_flag("--quiet", arguments.quiet, "Print nothing but errors; ablate: and its table");
+}
+
 }  // namespace
 
 CommandLine parse_command_line(std::span<const std::string> words) {
@@ -47,24 +59,23 @@ CommandLine parse_command_line(std::span<const std::string> words) {
   run.add_option("--output", arguments.output,
                  "Folder for the results [default: the scene's name with -results, in the current folder]")
       ->type_name("DIR");
-  run.add_option("--cache", arguments.cache,
-                 "Folder that keeps responses of unbounded rock between runs [default: none is kept]")
-      ->type_name("DIR");
-  run.add_option("--threads", arguments.threads, "Threads; the results are the same bits for any number")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  add_running(run, arguments);
   run.add_flag("--resume", arguments.resume,
                "Go on from the checkpoint of an interrupted run in the output folder (output.checkpoint_every)");
   run.add_option("--picture", arguments.picture,
                  "Draw the mesh as the run has left it, with the cracks as they have grown")
       ->type_name("FILE.svg");
-  run.add_flag("--quiet", arguments.quiet, "Print nothing but errors");
   run.footer(exit_statuses);
 
   CLI::App& check = *app.add_subcommand("check", "Read and mesh a scene, say what would be built, run nothing");
   add_scene(check, arguments, settings);
   check.add_option("--picture", arguments.picture, "Draw the mesh")->type_name("FILE.svg");
+
+  CLI::App& ablate = *app.add_subcommand(
+      "ablate", "Run a scene whole and once without each of its parts: what each costs and what it changes");
+  add_scene(ablate, arguments, settings);
+  add_running(ablate, arguments);
+  ablate.footer(exit_statuses);
 
   CLI::App& keys = *app.add_subcommand("keys", "Print every table and key of a scene: unit, range, default, meaning");
   keys.add_flag("--markdown", arguments.markdown, "As the documentation has them");
@@ -80,7 +91,10 @@ CommandLine parse_command_line(std::span<const std::string> words) {
   } catch (const std::invalid_argument& error) {
     return {std::nullopt, std::string("--set: ") + error.what() + "\n", 2};
   }
-  arguments.command = run.parsed() ? Command::run : check.parsed() ? Command::check : Command::keys;
+  arguments.command = run.parsed()      ? Command::run
+                      : check.parsed()  ? Command::check
+                      : ablate.parsed() ? Command::ablate
+                                        : Command::keys;
   return {arguments, {}, 0};
 }
 

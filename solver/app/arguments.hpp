@@ -11,7 +11,7 @@
 
 namespace sunder::app {
 
-enum class Command { run, check, keys };
+enum class Command { run, check, ablate, keys };
 
 struct Arguments {
   Command command = Command::run;
@@ -20,8 +20,9 @@ struct Arguments {
   std::optional<std::filesystem::path>
       output;  ///< absent: `<scene's name without .toml>-results` in the current folder
   std::optional<std::filesystem::path> picture;  ///< check: where to draw the mesh (SVG)
-  std::optional<std::filesystem::path> cache;    ///< run: folder for responses of unbounded rock; absent: none kept
-  int threads = 1;                               ///< >= 1; absent on the line: one a core
+  std::optional<std::filesystem::path>
+      cache;        ///< run, ablate: folder for responses of unbounded rock; absent: none kept
+  int threads = 1;  ///< >= 1; absent on the line: one a core
   bool quiet = false;
   bool resume = false;    ///< run: from the checkpoint in the output folder
   bool markdown = false;  ///< keys: as the documentation has them

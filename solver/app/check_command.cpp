@@ -8,6 +8,7 @@
 #include "solver/app/scene_place.hpp"
 #include "solver/mesh/picture.hpp"
 #include "solver/results/atomic_file.hpp"
+#include "solver/simulation/built_parts.hpp"
 #include "solver/simulation/shaking.hpp"
 
 namespace sunder::app {
@@ -67,6 +68,7 @@ std::string megabytes(double bytes) {
 
 int check_command(const Arguments& arguments, const Console& console, const Solver& solver) {
   const scene::Scene scene = scene::read_scene(arguments.scene, arguments.overrides);
+  simulation::refuse_absent_parts(scene);
   if (scene.analysis == scene::Analysis::crack_water) {
     simulation::check_crack_water(scene);
     if (arguments.picture) throw scene::SceneError(scene.file.string() + ": a crack alone has no mesh to draw");

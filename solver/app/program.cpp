@@ -22,6 +22,8 @@ int program(std::span<const std::string> words, const Console& console, const So
         return run_command(*line.arguments, console, solver);
       case Command::check:
         return check_command(*line.arguments, console, solver);
+      case Command::ablate:
+        return ablate_command(*line.arguments, console, solver);
       case Command::keys:
         return keys_command(*line.arguments, console);
     }

@@ -1,5 +1,5 @@
 #pragma once
-/// The command line: `sunder run | check | keys`, from words to an exit status.
+/// The command line: `sunder run | check | ablate | keys`, from words to an exit status.
 
 #include <functional>
 #include <iosfwd>

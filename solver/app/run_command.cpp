@@ -11,6 +11,7 @@
 #include "solver/results/atomic_file.hpp"
 #include "solver/results/summary_json.hpp"
 #include "solver/simulation/body.hpp"
+#include "solver/simulation/field_snapshot.hpp"
 
 namespace sunder::app {
 namespace {
@@ -29,8 +30,10 @@ void check_output(const fs::path& folder) {
   if (::access(existing.c_str(), W_OK | X_OK) != 0) refuse(std::errc::permission_denied);
 }
 
-/// The history first: a folder with a summary is whole. One that an earlier run left there would belong to nothing.
-void write_results(const results::RunSummary& summary, const fs::path& folder, const fs::path& file) {
+/// The summary last: a folder with a summary is whole. What an earlier run left there, and this scene does not ask for,
+/// would belong to nothing.
+void write_results(const results::RunSummary& summary, bool with_fields, const fs::path& folder, const fs::path& file) {
+  if (!with_fields) fs::remove(folder / simulation::field_file_name);
   const fs::path history = folder / "history.csv";
   if (summary.history) {
     results::write_atomically(history, results::to_csv(*summary.history));
@@ -77,7 +80,7 @@ int run_command(const Arguments& arguments, const Console& console, const Solver
   }
   results::stop_if_not_finite(summary);
   const fs::path file = folder / "summary.json";
-  write_results(summary, folder, file);
+  write_results(summary, simulation::wants_fields(scene), folder, file);
 
   if (!picture.empty()) results::write_atomically(*arguments.picture, picture);
 

@@ -15,6 +15,8 @@
 namespace sunder::convolution {
 namespace {
 
+constexpr int group = 8;  ///< numbers that fill a line of the cache: matrices are turned over this many at a time
+
 template <class Work>
 void share(numerics::ThreadPool* pool, int count, const Work& work) {
   if (pool != nullptr) return pool->parallel_for(count, work);
@@ -54,18 +56,26 @@ WeightSequence contour_weights(int size, double time_step, long long last, const
   Eigen::MatrixXd spectra(2 * transform.offset(), entries);
   std::vector<char> finite(contour_runs, 1);
   share(options.pool, contour_runs, [&](int run) {
-    Eigen::MatrixXcd M(size, size);
+    Eigen::MatrixXcd M = Eigen::MatrixXcd::Zero(size, size);
+    Eigen::Matrix<double, group, Eigen::Dynamic> real(group, entries), imaginary(group, entries);
     const int begin = static_cast<int>(static_cast<long long>(points) * run / contour_runs);
     const int end = static_cast<int>(static_cast<long long>(points) * (run + 1) / contour_runs);
-    for (int k = begin; k < end; ++k) {
-      mass({s_of(minus_log_radius, 2.0 * std::numbers::pi * k / length, time_step), k, run, k == begin}, M);
-      int entry = 0;
-      for (int c = 0; c < size; ++c)
-        for (int r = c; r < size; ++r, ++entry) {
-          spectra(k, entry) = M(r, c).real();
-          spectra(transform.offset() + k, entry) = M(r, c).imag();
-        }
-      if (!M.allFinite()) finite[static_cast<std::size_t>(run)] = 0;
+    for (int first = begin; first < end; first += group) {
+      const int count = std::min(group, end - first);
+      for (int i = 0; i < count; ++i) {
+        const int k = first + i;
+        mass({s_of(minus_log_radius, 2.0 * std::numbers::pi * k / length, time_step), k, run, k == begin}, M);
+        int entry = 0;
+        for (int c = 0; c < size; ++c)
+          for (int r = c; r < size; ++r, ++entry) {
+            real(i, entry) = M(r, c).real();
+            imaginary(i, entry) = M(r, c).imag();
+          }
+      }
+      spectra.block(first, 0, count, entries) = real.topRows(count);
+      spectra.block(transform.offset() + first, 0, count, entries) = imaginary.topRows(count);
+      if (!real.topRows(count).allFinite() || !imaginary.topRows(count).allFinite())
+        finite[static_cast<std::size_t>(run)] = 0;
     }
   });
   if (std::find(finite.begin(), finite.end(), 0) != finite.end())
@@ -75,13 +85,22 @@ WeightSequence contour_weights(int size, double time_step, long long last, const
   Eigen::VectorXd unscale(last + 1);
   for (long long j = 0; j <= last; ++j) unscale[j] = std::exp(minus_log_radius * static_cast<double>(j)) / length;
   share(options.pool, size, [&](int c) {
-    Eigen::VectorXd series(length);
-    for (int r = c; r < size; ++r) {
-      const int entry = c * size - c * (c - 1) / 2 + r - c;
-      transform.backward(spectra.col(entry).data(), series.data());
-      series.head(last + 1).array() *= unscale.array();
-      weights.values.row(c * size + r) = series.head(last + 1).transpose();
-      if (r != c) weights.values.row(r * size + c) = series.head(last + 1).transpose();
+    // `group` rows of a column at a time: they lie side by side in each weight
+    Eigen::MatrixXd series(length, group);
+    for (int first = c; first < size; first += group) {
+      const int count = std::min(group, size - first);
+      for (int i = 0; i < count; ++i)
+        transform.backward(spectra.col(c * size - c * (c - 1) / 2 + first + i - c).data(), series.col(i).data());
+      for (long long j = 0; j <= last; ++j)
+        weights.values.col(j).segment(c * size + first, count) = unscale[j] * series.row(j).head(count).transpose();
+    }
+  });
+  // the upper triangles, weight by weight
+  share(options.pool, static_cast<int>(std::min<long long>(last + 1, size)), [&](int part) {
+    for (long long j = part; j <= last; j += size) {
+      Eigen::Map<Eigen::MatrixXd> W(weights.values.col(j).data(), size, size);
+      for (int c = 1; c < size; ++c)
+        for (int r = 0; r < c; ++r) W(r, c) = W(c, r);
     }
   });
   return weights;

@@ -19,9 +19,9 @@
 
 namespace sunder::convolution {
 
-/// Fills `mass` (n, n), complex symmetric, with M(s) [kg/m]; Re s > 0. M(conj s) = conj M(s). Called from several
-/// threads at once where there is a pool. `point` counts the contour's points from s ≈ 0 on, so that a caller may carry
-/// something from one to the next of the same `run` of points; `first` in each run.
+/// Fills the lower triangle of `mass` (n, n), complex symmetric, with M(s) [kg/m]; Re s > 0. M(conj s) = conj M(s).
+/// Called from several threads at once where there is a pool. `point` counts the contour's points from s ≈ 0 on, so
+/// that a caller may carry something from one to the next of the same `run` of points; `first` in each run.
 struct ContourPoint {
   std::complex<double> s;  ///< [1/s]
   int point, run;

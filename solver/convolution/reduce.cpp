@@ -4,6 +4,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -15,32 +16,89 @@
 namespace sunder::convolution {
 namespace {
 
-struct Dominant {
-  Eigen::MatrixXd vectors;  // (rows, q)
-  Eigen::VectorXd values;   // (q) eigenvalues of the Hankel matrix, largest modulus first
-};
-
 Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(columns);
   return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), columns.cols());
 }
 
-Dominant dominant(const HankelProduct& hankel, int count) {
-  std::mt19937_64 generator(1);  // its bits are the same everywhere; the distributions of <random> are not
-  Eigen::MatrixXd start(hankel.rows(), count);
-  for (double& x : start.reshaped()) x = static_cast<double>(generator() >> 11) * 0x1p-52 - 1.0;
-  Eigen::MatrixXd basis = orthonormal(hankel * start);
-  basis = orthonormal(hankel * basis);
-  Eigen::MatrixXd projected = basis.transpose() * (hankel * basis);
-  projected = (0.5 * (projected + projected.transpose())).eval();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(projected);
-  std::vector<int> order(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i) order[static_cast<std::size_t>(i)] = i;
+/// The dominant eigenvectors of the Hankel matrix, a block of them more where they do not suffice: each block is found
+/// from a random start, outside the span of those before, by one step of the power method [Halko, Martinsson & Tropp
+/// 2011].
+class DominantVectors {
+ public:
+  explicit DominantVectors(const HankelProduct& hankel) : hankel_(&hankel), basis_(hankel.rows(), 0) {}
+
+  void extend(int count);
+
+  const Eigen::VectorXd& values() const { return values_; }  ///< (q) eigenvalues, largest modulus first
+  /// VᵀV shifted by one block, and the first block of V, of the first `states` vectors.
+  Eigen::MatrixXd shifted(int states);
+  Eigen::MatrixXd first_block(int states) const;
+
+ private:
+  Eigen::MatrixXd outside(const Eigen::MatrixXd& columns) const;
+
+  const HankelProduct* hankel_;
+  std::mt19937_64 generator_{1};  // its bits are the same everywhere; the distributions of <random> are not
+  Eigen::MatrixXd basis_;         // (rows, q), orthonormal
+  Eigen::MatrixXd projected_;     // (q, q) basisᵀ H basis
+  Eigen::MatrixXd shifted_;       // (q, q) basisᵀ basis shifted by one block; empty until asked for
+  Eigen::VectorXd values_;
+  Eigen::MatrixXd turn_;  // (q, q): V = basis · turn
+};
+
+/// An orthonormal basis of the part of `columns` outside the basis.
+Eigen::MatrixXd DominantVectors::outside(const Eigen::MatrixXd& columns) const {
+  Eigen::MatrixXd rest = columns;
+  for (int time = 0; time < 2; ++time) {  // the second time takes off what rounding has left
+    if (basis_.cols() > 0) rest.noalias() -= basis_ * (basis_.transpose() * rest).eval();
+    rest = orthonormal(rest);
+  }
+  return rest;
+}
+
+void DominantVectors::extend(int count) {
+  const Eigen::Index old = basis_.cols(), all = old + count;
+  Eigen::MatrixXd start(hankel_->rows(), count);
+  for (double& x : start.reshaped()) x = static_cast<double>(generator_() >> 11) * 0x1p-52 - 1.0;
+  const Eigen::MatrixXd block = outside(*hankel_ * outside(*hankel_ * start));
+  const Eigen::MatrixXd image = *hankel_ * block;
+  Eigen::MatrixXd basis(hankel_->rows(), all), projected(all, all);
+  basis << basis_, block;
+  basis_ = std::move(basis);
+  projected.topLeftCorner(old, old) = projected_;
+  projected.rightCols(count) = basis_.transpose() * image;
+  projected.bottomLeftCorner(count, old) = projected.topRightCorner(old, count).transpose();
+  projected_ = 0.5 * (projected + projected.transpose());
+  shifted_.resize(0, 0);
+
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(projected_);
+  std::vector<int> order(static_cast<std::size_t>(all));
+  std::iota(order.begin(), order.end(), 0);
   const Eigen::VectorXd& values = solver.eigenvalues();
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return std::abs(values[a]) > std::abs(values[b]); });
-  const Eigen::PermutationMatrix<Eigen::Dynamic> permutation(
-      Eigen::Map<const Eigen::VectorXi>(order.data(), count).eval());
-  return {basis * (solver.eigenvectors() * permutation), permutation.transpose() * values};
+  values_ = values(order);
+  turn_ = solver.eigenvectors()(Eigen::all, order);
+}
+
+Eigen::MatrixXd DominantVectors::shifted(int states) {
+  const int blocks = hankel_->blocks();
+  if (shifted_.size() == 0) {
+    // degree of freedom by degree of freedom
+    Eigen::MatrixXd up = Eigen::MatrixXd::Zero(basis_.rows(), basis_.cols());
+    for (Eigen::Index first = 0; first < basis_.rows(); first += blocks)
+      up.middleRows(first, blocks - 1) = basis_.middleRows(first + 1, blocks - 1);
+    shifted_.noalias() = basis_.transpose() * up;
+  }
+  const auto turn = turn_.leftCols(states);
+  return turn.transpose() * (shifted_ * turn).eval();
+}
+
+Eigen::MatrixXd DominantVectors::first_block(int states) const {
+  const int blocks = hankel_->blocks();
+  Eigen::MatrixXd first(basis_.rows() / blocks, basis_.cols());
+  for (Eigen::Index d = 0; d < first.rows(); ++d) first.row(d) = basis_.row(d * blocks);
+  return first * turn_.leftCols(states);
 }
 
 /// Keeps of each pair of conjugates the one with a positive imaginary part, doubled.
@@ -61,19 +119,12 @@ void pair_conjugates(const Eigen::VectorXcd& decay, const Eigen::MatrixXcd& inpu
   }
 }
 
-/// The model of the first `states` dominant vectors.
-void realise(const Dominant& found, int states, int blocks, StateSpaceModel& model) {
-  const int n = model.size();
-  const Eigen::VectorXd root = found.values.head(states).cwiseAbs().cwiseSqrt();
-  const Eigen::MatrixXd V = found.vectors.leftCols(states);
-  // O = V root; O shifted up by one block, degree of freedom by degree of freedom
-  Eigen::MatrixXd shifted = Eigen::MatrixXd::Zero(V.rows(), states), first(n, states);
-  for (int d = 0; d < n; ++d) {
-    shifted.middleRows(d * blocks, blocks - 1) = V.middleRows(d * blocks + 1, blocks - 1);
-    first.row(d) = V.row(d * blocks).cwiseProduct(root.transpose());
-  }
-  const Eigen::MatrixXd A = root.cwiseInverse().asDiagonal() * (V.transpose() * shifted).eval() * root.asDiagonal();
-  const Eigen::MatrixXd B = found.values.head(states).cwiseSign().asDiagonal() * first.transpose();
+/// The model of the first `states` dominant vectors V: O = V root, A = O⁺ (O shifted up by one block).
+void realise(DominantVectors& found, int states, StateSpaceModel& model) {
+  const Eigen::VectorXd values = found.values().head(states), root = values.cwiseAbs().cwiseSqrt();
+  const Eigen::MatrixXd first = found.first_block(states) * root.asDiagonal();
+  const Eigen::MatrixXd A = root.cwiseInverse().asDiagonal() * found.shifted(states) * root.asDiagonal();
+  const Eigen::MatrixXd B = values.cwiseSign().asDiagonal() * first.transpose();
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
   const Eigen::MatrixXcd T = solver.eigenvectors();
   const Eigen::MatrixXcd input = T.partialPivLu().solve(B.cast<std::complex<double>>());
@@ -140,23 +191,30 @@ StateSpaceModel reduce(const WeightSequence& weights, const ReductionOptions& op
   const int most = std::min(options.most_states, hankel.rows());
   // ‖W - W~‖ of the frequency response is at most twice the sum of the values left out [Glover 1984]; the sum over all
   // lags is larger, which the certificate then tells. Ever more states until it agrees or there are no more.
-  double aim = 0.2 * options.tolerance * total;
-  int sought = std::min(48, most);  // vectors, until those that are left out no longer count
-  Dominant found = dominant(hankel, std::min(sought + 10, hankel.rows()));
-  while (sought < most && std::abs(found.values[sought - 1]) > 0.01 * aim) {
-    sought = std::min(2 * sought, most);
-    found = dominant(hankel, std::min(sought + 10, hankel.rows()));
-  }
-  for (int states = 0, before = -1; before < sought; before = states, aim *= 0.3) {
-    while (states < sought && std::abs(found.values[states]) > aim) ++states;
+  constexpr int block = 48, spare = 10;  // the last vectors of a basis are not yet accurate
+  DominantVectors found(hankel);
+  int sought = 0;
+  const auto extend = [&] {
+    const int more = std::min({block, most - sought, hankel.rows() - sought});
+    const int free = hankel.rows() - static_cast<int>(found.values().size());
+    if (const int count = std::min(sought == 0 ? more + spare : more, free); count > 0) found.extend(count);
+    sought += more;
+  };
+  extend();
+  int states = 0, before = -1;
+  for (double aim = 0.2 * options.tolerance * total; before < most; aim *= 0.3) {
+    while (sought < most && std::abs(found.values()[sought - 1]) > aim) extend();
+    while (states < sought && std::abs(found.values()[states]) > aim) ++states;
     states = std::max(states, 1);
-    if (states == before) continue;
-    const double floor = 1e-14 * std::abs(found.values[0]);  // below it the vectors are round-off
-    while (states > 1 && !(std::abs(found.values[states - 1]) > floor)) --states;
-    StateSpaceModel candidate = model;
-    realise(found, states, hankel.blocks(), candidate);
-    candidate.error = certify(candidate, weights, options.pool);
-    if (model.decay.size() == 0 || candidate.error.relative < model.error.relative) model = candidate;
+    const double floor = 1e-14 * std::abs(found.values()[0]);  // below it the vectors are round-off
+    while (states > 1 && !(std::abs(found.values()[states - 1]) > floor)) --states;
+    if (states != before) {
+      StateSpaceModel candidate = model;
+      realise(found, states, candidate);
+      candidate.error = certify(candidate, weights, options.pool);
+      if (model.decay.size() == 0 || candidate.error.relative < model.error.relative) model = candidate;
+      before = states;
+    }
     if (model.error.relative <= options.tolerance || aim < floor) break;
   }
   model.within_tolerance = model.error.relative <= options.tolerance;

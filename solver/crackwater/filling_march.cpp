@@ -196,6 +196,29 @@ void FillingMarch::grow(const CrackLine& line, std::span<const double> apertures
   tried_ = false;
 }
 
+MarchMemory FillingMarch::memory() const {
+  return {.state = state_,
+          .inflow = inflow_,
+          .outflow = outflow_,
+          .first_content = first_content_,
+          .upstream_flux = upstream_flux_,
+          .downstream_flux = downstream_flux_};
+}
+
+void FillingMarch::go_on(const MarchMemory& memory) {
+  if (memory.state.voids.size() != state_.voids.size() || memory.state.capacities.size() != state_.voids.size()) {
+    refuse("nodes of the march to go on with", static_cast<double>(memory.state.voids.size()), "those of the crack");
+  }
+  state_ = memory.state;
+  if (planted_fault("crackwater/memory-without-water")) std::fill(state_.voids.begin(), state_.voids.end(), 0.0);
+  inflow_ = memory.inflow;
+  outflow_ = memory.outflow;
+  first_content_ = memory.first_content;
+  upstream_flux_ = memory.upstream_flux;
+  downstream_flux_ = memory.downstream_flux;
+  tried_ = false;
+}
+
 /// Voids below zero are water that a node cannot hold: towards the tip, then back to the mouth and out.
 void FillingMarch::carry_excess() {
   double excess = 0.0;

@@ -42,6 +42,14 @@ struct MarchState {
   long long residual_evaluations = 0, gradient_evaluations = 0, steps = 0;
 };
 
+/// What one step of a march leaves for the next.
+struct MarchMemory {
+  MarchState state;
+  numerics::CompensatedSum inflow, outflow;           ///< [m²]
+  double first_content = 0.0;                         ///< [m²]
+  double upstream_flux = 0.0, downstream_flux = 0.0;  ///< [m²/s]
+};
+
 class FillingMarch {
  public:
   /// `apertures` [m], (n + 1), > 0, are those at the start. Throws std::invalid_argument naming the value and its
@@ -67,6 +75,11 @@ class FillingMarch {
   /// whole crack cannot hold leaves through the upstream mouth. No water is lost. The new part is dry. Allocates.
   /// Throws std::invalid_argument naming the value and its bound.
   void grow(const CrackLine& line, std::span<const double> apertures);
+
+  MarchMemory memory() const;
+  /// Goes on as the march in the same crack that `memory` is of. Throws std::invalid_argument where the number of
+  /// nodes differs.
+  void go_on(const MarchMemory& memory);
 
   const MarchState& state() const { return state_; }
   /// Pressures of the last trial or step.

@@ -155,6 +155,7 @@ GroundMotion baseline_corrected(GroundMotion motion) {
   // Velocities of the record (column 3) and of 1, τ, τ² with τ = t / duration, all integrated by the same trapezoids;
   // what is found is the least-squares fit of the first by the others.
   const auto count = static_cast<Eigen::Index>(motion.acceleration.size());
+  if (count < 4) throw std::invalid_argument("samples = " + std::to_string(count) + " must be at least 4");
   const auto basis = [count](Eigen::Index sample, int power) {
     return std::pow(static_cast<double>(sample) / static_cast<double>(count - 1), power);
   };
@@ -170,7 +171,6 @@ GroundMotion baseline_corrected(GroundMotion motion) {
     normal += of_basis * of_basis.transpose();
     right += of_record * of_basis;
   }
-  if (count < 4) return motion;  // as many coefficients as velocities: nothing would be left
   const Eigen::Vector3d coefficients = normal.ldlt().solve(right);
   for (Eigen::Index i = 0; i < count; ++i) {
     for (int k = 0; k < 3; ++k) motion.acceleration[static_cast<std::size_t>(i)] -= coefficients[k] * basis(i, k);

@@ -33,7 +33,8 @@ GroundMotion read_ground_motion(const std::filesystem::path& file);
 
 /// The record less the parabola c_0 + c_1 t + c_2 t² that leaves the least Σ v² of the ground's velocity over its
 /// samples, the ground at rest before the first: takes off a drift that an instrument or the digitising has added.
-/// Motion relative to the ground hardly feels it; displacements of the ground itself mean nothing without it.
+/// Motion relative to the ground hardly feels it; displacements of the ground itself mean nothing without it. Throws
+/// std::invalid_argument where the record has fewer than four samples: as many coefficients as velocities.
 GroundMotion baseline_corrected(GroundMotion motion);
 
 }  // namespace sunder::dynamics

@@ -46,7 +46,7 @@ ComplementarityProblem::ComplementarityProblem(Eigen::Index largest)
 
 ComplementarityStatus ComplementarityProblem::solve(const Eigen::Ref<const Eigen::MatrixXd>& M,
                                                     const Eigen::Ref<const Eigen::VectorXd>& q,
-                                                    Eigen::Ref<Eigen::VectorXd> lambda) {
+                                                    Eigen::Ref<Eigen::VectorXd> lambda, const Columns& will_read) {
   const Eigen::Index n = q.size();
   // A force of round-off, or a gap of round-off, is no reason to change sides.
   const double small_gap = 8.0 * std::numeric_limits<double>::epsilon() * (n > 0 ? q.cwiseAbs().maxCoeff() : 0.0);
@@ -59,6 +59,7 @@ ComplementarityStatus ComplementarityProblem::solve(const Eigen::Ref<const Eigen
       if (touches(i)) active_.push_back(i);
     }
     const auto count = static_cast<Eigen::Index>(active_.size());
+    if (will_read && count > 0) will_read(active_);
     for (Eigen::Index j = 0; j < count; ++j) {
       right_[j] = -q[active_[j]];
       for (Eigen::Index i = 0; i < count; ++i) block_(i, j) = M(active_[i], active_[j]);

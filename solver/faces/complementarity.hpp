@@ -7,7 +7,8 @@
 /// resists closing.
 
 #include <Eigen/Core>
-#include <Eigen/LU>
+#include <functional>
+#include <span>
 #include <vector>
 
 namespace sunder::faces {
@@ -24,13 +25,20 @@ class ComplementarityProblem {
  public:
   explicit ComplementarityProblem(Eigen::Index largest);
 
-  /// `M` (n, n), `q` (n); both finite. Overwrites `lambda` (n).
+  /// Is told which columns of M are read next, and may write them then: few pairs touch, and a column can be dear.
+  using Columns = std::function<void(std::span<const Eigen::Index>)>;
+
+  /// `M` (n, n), `q` (n); finite, M in the columns that are read. Overwrites `lambda` (n); it is 0 where no column was
+  /// asked for.
   [[nodiscard]] ComplementarityStatus solve(const Eigen::Ref<const Eigen::MatrixXd>& M,
                                             const Eigen::Ref<const Eigen::VectorXd>& q,
-                                            Eigen::Ref<Eigen::VectorXd> lambda);
+                                            Eigen::Ref<Eigen::VectorXd> lambda, const Columns& will_read = {});
 
   int exchanges() const { return exchanges_; }  ///< of the last solve
   void forget() { touching_.assign(touching_.size(), 0); }
+  /// Of the last problem, the next one's first guess (largest): 1 where a pair touches.
+  const std::vector<char>& touching() const { return touching_; }
+  void begin_with(const std::vector<char>& touching) { touching_ = touching; }
   bool touches(Eigen::Index pair) const { return touching_[static_cast<std::size_t>(pair)] != 0; }
 
  private:

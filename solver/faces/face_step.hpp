@@ -24,11 +24,12 @@
 ///     2.  |p - p* - R y|∞ ≤ pressure_tolerance · (|p*|∞ + 1 kPa)       mouth
 ///     3.  |min(g + λ/(k L), λ S_ii)|∞ ≤ the bound of 1                 complementarity
 ///     4.  -g ≤ penetration_tolerance                                   with contact
-/// and the water's own balance holds to round-off in every trial.
+/// and where the water's own solution was found: its balance then holds to round-off.
 
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "solver/faces/complementarity.hpp"
@@ -83,6 +84,13 @@ struct FaceStepResult {
   int enlargements = 0, iterations = 0, water_trials = 0, parts = 0;
 };
 
+/// What one solve leaves for the next: its answer and the pairs that touched, from which the next one starts.
+struct FaceStepMemory {
+  Eigen::VectorXd force, motion, opening, contact_force, mouth_pressure;  ///< as in FaceStepResult
+  std::vector<char> touching;                                             ///< (pairs)
+  double stiffness = 0.0;                                                 ///< k [N/m³]
+};
+
 /// Solves step after step. Holds all memory: `solve` allocates nothing.
 class FaceStep {
  public:
@@ -100,6 +108,10 @@ class FaceStep {
   void begin_with(const Eigen::Ref<const Eigen::VectorXd>& opening,
                   const Eigen::Ref<const Eigen::VectorXd>& contact_force, double stiffness);
 
+  FaceStepMemory memory() const;
+  /// Goes on as the FaceStep of the same structure that `memory` is of.
+  void go_on(const FaceStepMemory& memory);
+
   const FaceStepResult& result() const { return result_; }
   const FaceStructure& structure() const { return structure_; }
   Eigen::Index pair_count() const { return static_cast<Eigen::Index>(rows_.size()); }
@@ -113,6 +125,9 @@ class FaceStep {
   void apply_water(const Iterate& at, double time_step);
   double merit(const Iterate& at);
   bool predict(const Iterate& at, Iterate& next);
+  void couple_water(const Iterate& at);
+  void press(std::span<const Eigen::Index> pairs);
+  bool touch(Iterate& next);
   bool enlarge();
   double compliance(Eigen::Index pair) const;
   void finish();
@@ -122,7 +137,7 @@ class FaceStep {
   std::vector<Eigen::Index> rows_;  // force of each pair
   std::vector<WaterForces> waters_;
   bool wet_ = false;
-  Eigen::MatrixXd S_pairs_;  // (m, pairs)
+  bool water_found_ = true;  // by all waters at the place where they were applied last
   // for one solve: what is approached, and what the continuation has reached
   Eigen::VectorXd motion_, mouth_, motion_from_, mouth_from_, motion_goal_, mouth_goal_;
   Eigen::VectorXd force_, moved_;
@@ -130,8 +145,9 @@ class FaceStep {
   double stiffness_ = 0.0, opening_bound_ = 1.0, pressure_bound_ = 1.0;
   // the linear problem of an iteration
   Eigen::MatrixXd coupled_, constrained_;
-  Eigen::VectorXd right_, free_opening_;
-  Eigen::MatrixXd lambda_answer_, force_by_lambda_;
+  Eigen::VectorXd right_, solution_, free_opening_;
+  Eigen::MatrixXd force_by_lambda_;  // (m, pairs): y of a unit of each λ, the columns that `pressed_` says
+  std::vector<char> pressed_;
   Eigen::PartialPivLU<Eigen::MatrixXd> factor_;
   ComplementarityProblem complementarity_;
   FaceStepResult result_;

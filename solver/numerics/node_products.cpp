@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "solver/numerics/lanes.hpp"
+
 namespace sunder::numerics {
 namespace {
 
 using Eigen::Index;
-using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
-using Four = Eigen::Array4d;  // a 2×2 block, column by column
-using Two = Eigen::Array2d;
+using Four = Lanes::Vector;  // a 2×2 block, column by column, or what a node has of two vectors
 
 /// Rows of node `column` in the lower triangle of either matrix, ascending, the column itself first.
 std::vector<int> rows_of(const Sparse& first, const Sparse& second, int column) {
@@ -26,14 +26,38 @@ std::vector<int> rows_of(const Sparse& first, const Sparse& second, int column) 
   return rows;
 }
 
-/// y_i += B x_j, and y_j gains Bᵀ x_i in `gained` (two halves to be summed).
-inline void apply(const Four& block, const Two& x_j, const double* x_i, double* y_i, Four& gained) {
-  Eigen::Map<Two> into(y_i);
-  into += block.head<2>() * x_j[0] + block.tail<2>() * x_j[1];
-  Four twice;
-  twice << x_i[0], x_i[1], x_i[0], x_i[1];
-  gained += block * twice;
+inline const Four& four(const VectorPair& values, Index column) {
+  return *reinterpret_cast<const Four*>(values.data() + 4 * column);
 }
+inline Four& four(VectorPair& values, Index column) {
+  return *reinterpret_cast<Four*>(values.data() + 4 * column);
+}
+
+/// One matrix times both vectors, column by column of its lower triangle.
+struct Column {
+  Four along_x, along_y;                  // x and y of the column's node, each twice for each of two vectors
+  Four from_x = Four{}, from_y = Four{};  // what its rows x and y gain of the nodes below: parts to be summed
+
+  explicit Column(Four x)
+      : along_x(__builtin_shufflevector(x, x, 0, 0, 2, 2)), along_y(__builtin_shufflevector(x, x, 1, 1, 3, 3)) {}
+
+  /// B x_j
+  Four times(Four block) const {
+    return __builtin_shufflevector(block, block, 0, 1, 0, 1) * along_x +
+           __builtin_shufflevector(block, block, 2, 3, 2, 3) * along_y;
+  }
+  /// y_i += B x_j, and y_j gains Bᵀ x_i
+  void apply(Four block, Four x_i, Four& y_i) {
+    const Four left = __builtin_shufflevector(block, block, 0, 1, 0, 1);
+    const Four right = __builtin_shufflevector(block, block, 2, 3, 2, 3);
+    y_i += left * along_x + right * along_y;
+    from_x += left * x_i;
+    from_y += right * x_i;
+  }
+  Four gained() const {
+    return __builtin_shufflevector(from_x, from_y, 0, 4, 2, 6) + __builtin_shufflevector(from_x, from_y, 1, 5, 3, 7);
+  }
+};
 
 }  // namespace
 
@@ -65,28 +89,23 @@ NodeProducts::NodeProducts(const Sparse& first, const Sparse& second) {
   }
 }
 
-void NodeProducts::multiply(const VectorXd& x, const VectorXd& z, VectorXd& first_x, VectorXd& second_z) const {
-  first_x.setZero(x.size());
-  second_z.setZero(z.size());
+void NodeProducts::multiply(const VectorPair& x, const VectorPair& z, VectorPair& first_x, VectorPair& second_z) const {
+  first_x.setZero(4, x.cols());
+  second_z.setZero(4, z.cols());
+  const auto* blocks = reinterpret_cast<const Four*>(blocks_.data());
   const auto nodes = static_cast<int>(column_start_.size()) - 1;
   for (int j = 0; j < nodes; ++j) {
-    const Two x_j = x.segment<2>(2 * j), z_j = z.segment<2>(2 * j);
-    Four first_gained = Four::Zero(), second_gained = Four::Zero();
-    for (int b = column_start_[static_cast<std::size_t>(j)]; b < column_start_[static_cast<std::size_t>(j) + 1]; ++b) {
-      const int i = row_[static_cast<std::size_t>(b)];
-      const Four first = blocks_.col(2 * b), second = blocks_.col(2 * b + 1);
-      if (i == j) {  // a symmetric block counts once
-        first_x.segment<2>(2 * j).array() += first.head<2>() * x_j[0] + first.tail<2>() * x_j[1];
-        second_z.segment<2>(2 * j).array() += second.head<2>() * z_j[0] + second.tail<2>() * z_j[1];
-        continue;
-      }
-      apply(first, x_j, x.data() + 2 * i, first_x.data() + 2 * i, first_gained);
-      apply(second, z_j, z.data() + 2 * i, second_z.data() + 2 * i, second_gained);
+    Column first(four(x, j)), second(four(z, j));
+    Index b = column_start_[static_cast<std::size_t>(j)];
+    const Index end = column_start_[static_cast<std::size_t>(j) + 1];
+    const Four of_first = first.times(blocks[2 * b]), of_second = second.times(blocks[2 * b + 1]);  // the diagonal
+    for (++b; b < end; ++b) {
+      const Index i = row_[static_cast<std::size_t>(b)];
+      first.apply(blocks[2 * b], four(x, i), four(first_x, i));
+      second.apply(blocks[2 * b + 1], four(z, i), four(second_z, i));
     }
-    first_x[2 * j] += first_gained[0] + first_gained[1];
-    first_x[2 * j + 1] += first_gained[2] + first_gained[3];
-    second_z[2 * j] += second_gained[0] + second_gained[1];
-    second_z[2 * j + 1] += second_gained[2] + second_gained[3];
+    four(first_x, j) += of_first + first.gained();
+    four(second_z, j) += of_second + second.gained();
   }
 }
 

@@ -8,7 +8,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "solver/numerics/library_threads.hpp"
+#include "solver/numerics/factor_panels.hpp"
+#include "solver/numerics/supernodal_shape.hpp"
+#include "solver/numerics/supernodal_values.hpp"
 
 namespace sunder::numerics {
 namespace {
@@ -66,7 +68,8 @@ Sparse node_graph(const Sparse& lower, int block) {
 struct SymmetricFactor::Implementation {
   cholmod_common common{};
   cholmod_factor* factor = nullptr;
-  cholmod_dense *solution = nullptr, *work = nullptr, *half = nullptr;
+  FactorPanels panels;
+  PanelWork work;
   int rows = 0;
   FactorStatus status = FactorStatus::too_large;
   int failed_row = -1;
@@ -81,67 +84,59 @@ struct SymmetricFactor::Implementation {
     common.postorder = 1;
   }
   ~Implementation() {
-    cholmod_free_dense(&solution, &common);
-    cholmod_free_dense(&work, &common);
-    cholmod_free_dense(&half, &common);
     cholmod_free_factor(&factor, &common);
     cholmod_finish(&common);
   }
   Implementation(const Implementation&) = delete;
   Implementation& operator=(const Implementation&) = delete;
 
-  std::vector<int> fill_reducing_order(const Sparse& lower, const FactorOptions& options) {
-    const Sparse graph = options.block > 1 ? node_graph(lower, options.block) : Sparse();
-    cholmod_sparse view = view_of(options.block > 1 ? graph : lower);
+  std::vector<int> fill_reducing_order(cholmod_sparse& graph, const FactorOptions& options) {
     const bool dissect = options.ordering == Ordering::nested_dissection ||
-                         (options.ordering == Ordering::automatic && lower.rows() >= nested_dissection_pays_from);
-    std::vector<int> nodes(view.nrow);
-    const int ordered = dissect ? cholmod_metis(&view, nullptr, 0, 1, nodes.data(), &common)
-                                : cholmod_amd(&view, nullptr, 0, nodes.data(), &common);
-    if (!ordered) std::iota(nodes.begin(), nodes.end(), 0);
-    std::vector<int> order;
-    order.reserve(static_cast<size_t>(rows));
-    for (const int node : nodes) {
-      for (int k = 0; k < options.block; ++k) order.push_back(node * options.block + k);
-    }
+                         (options.ordering == Ordering::automatic && rows >= nested_dissection_pays_from);
+    std::vector<int> order(graph.nrow);
+    const int ordered = dissect ? cholmod_metis(&graph, nullptr, 0, 1, order.data(), &common)
+                                : cholmod_amd(&graph, nullptr, 0, order.data(), &common);
+    if (!ordered) std::iota(order.begin(), order.end(), 0);
     return order;
   }
 
   void analyse(const Sparse& lower, const FactorOptions& options) {
-    std::vector<int> order = fill_reducing_order(lower, options);
-    cholmod_sparse view = view_of(lower);
+    const Sparse nodes = options.block > 1 ? node_graph(lower, options.block) : Sparse();
+    cholmod_sparse graph = view_of(options.block > 1 ? nodes : lower);
+    std::vector<int> order = fill_reducing_order(graph, options);
     common.method[0].ordering = CHOLMOD_GIVEN;
-    if (options.layout == FactorLayout::columns) common.supernodal = CHOLMOD_SIMPLICIAL;
-    factor = cholmod_analyze_p(&view, order.data(), nullptr, 0, &common);
+    factor = supernodal_shape(graph, order, options.block, common);
   }
 
   void factorise(const Sparse& lower) {
     failed_row = -1;
     status = FactorStatus::too_large;
     if (factor == nullptr) return;
-    const OneLibraryThread calling_thread;
-    cholmod_sparse view = view_of(lower);
-    const int done = cholmod_factorize(&view, factor, &common);
-    if (common.status == CHOLMOD_NOT_POSDEF || (done && factor->minor < factor->n)) {
+    if (factor->xtype == CHOLMOD_PATTERN) cholmod_change_factor(CHOLMOD_REAL, 1, 1, 1, 1, factor, &common);
+    if (factor->xtype != CHOLMOD_REAL) return;  // memory ran out
+    const int failed = supernodal_values(lower, *factor);
+    factor->minor = failed < 0 ? factor->n : static_cast<size_t>(failed);
+    if (failed >= 0) {
       status = FactorStatus::not_positive_definite;
-      failed_row = static_cast<const int*>(factor->Perm)[factor->minor];
-    } else if (done && common.status == CHOLMOD_OK) {
+      failed_row = static_cast<const int*>(factor->Perm)[failed];
+    } else {
       status = FactorStatus::factorised;
+      invert_panels();
     }
   }
 
-  void solve(double* values, Eigen::Index columns) {
-    const OneLibraryThread calling_thread;
-    cholmod_dense right_side{};
-    right_side.nrow = static_cast<size_t>(rows);
-    right_side.ncol = static_cast<size_t>(columns);
-    right_side.nzmax = right_side.nrow * right_side.ncol;
-    right_side.d = right_side.nrow;
-    right_side.x = values;
-    right_side.xtype = CHOLMOD_REAL;
-    right_side.dtype = CHOLMOD_DOUBLE;
-    cholmod_solve2(CHOLMOD_A, factor, &right_side, nullptr, &solution, nullptr, &work, &half, &common);
-    std::copy_n(static_cast<const double*>(solution->x), right_side.nzmax, values);
+  /// The factor's numbers become those of `solve_with_panels`; its diagonal is then inverted.
+  void invert_panels() {
+    const auto list = [](const void* first, std::size_t size) {
+      return std::span<const int>(static_cast<const int*>(first), size);
+    };
+    panels = {.first_column = list(factor->super, factor->nsuper + 1),
+              .first_row = list(factor->pi, factor->nsuper + 1),
+              .first_value = list(factor->px, factor->nsuper),
+              .row = list(factor->s, factor->ssize),
+              .order = list(factor->Perm, factor->n),
+              .values = static_cast<double*>(factor->x)};
+    invert_diagonal_blocks(panels);
   }
 };
 
@@ -176,6 +171,7 @@ int SymmetricFactor::rows() const {
 }
 
 double SymmetricFactor::pivot_ratio() const {
+  // a quotient of two entries of the diagonal: the same of their inverses
   return cholmod_rcond(implementation_->factor, &implementation_->common);
 }
 
@@ -184,11 +180,7 @@ long long SymmetricFactor::entries() const {
 }
 
 void SymmetricFactor::solve_in_place(Eigen::Ref<Eigen::MatrixXd> B) const {
-  if (B.outerStride() == B.rows()) {
-    implementation_->solve(B.data(), B.cols());
-  } else {
-    for (Eigen::Index column = 0; column < B.cols(); ++column) implementation_->solve(B.col(column).data(), 1);
-  }
+  solve_with_panels(implementation_->panels, B, implementation_->work);
 }
 
 }  // namespace sunder::numerics

@@ -1,10 +1,11 @@
 #pragma once
 /// Cholesky factorisation of a sparse symmetric positive definite matrix, made once and solved with many times.
 ///
-/// CHOLMOD's supernodal factorisation. Nodes with two unknowns each are ordered as one (half the graph, a fraction of
-/// the ordering time); approximate minimum degree below 50 000 rows, METIS nested dissection above. Which ordering wins
-/// depends on the mesh: of polygons with six sides METIS took 3.8 s instead of 5.9 s at 4e5 rows, of bilinear squares
-/// at 1e5 rows it is the slower one (benchmarks/numerics_benchmark), so the threshold is a guard for large meshes.
+/// CHOLMOD's supernodal factorisation, solved with by partitioned inverses (factor_panels.hpp). Nodes with two unknowns
+/// each are ordered as one (half the graph, a fraction of the ordering time); approximate minimum degree below 50 000
+/// rows, METIS nested dissection above. Which ordering wins depends on the mesh: of polygons with six sides METIS
+/// took 3.8 s instead of 5.9 s at 4e5 rows, of bilinear squares at 1e5 rows it is the slower one
+/// (benchmarks/numerics_benchmark), so the threshold is a guard for large meshes.
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -20,13 +21,8 @@ enum class FactorStatus {
 
 enum class Ordering { automatic, minimum_degree, nested_dissection };
 
-/// How the factor is kept: blocks of like columns for BLAS (fast to factorise), or column by column (fast to solve with
-/// one right-hand side again and again, where the factor is small).
-enum class FactorLayout { supernodal, columns };
-
 struct FactorOptions {
   Ordering ordering = Ordering::automatic;
-  FactorLayout layout = FactorLayout::supernodal;
   int block = 1;  ///< rows i·block … i·block + block - 1 belong to one node and share its sparsity pattern
 };
 

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "solver/numerics/planted_fault.hpp"
 #include "solver/numerics/quadrature.hpp"
@@ -21,34 +22,79 @@ const std::vector<int>& nodes_of(const Face& face, const WetElement& wet) {
   return face.elements[static_cast<std::size_t>(wet.element)];
 }
 
-/// ∫ N_i cos(λ (y - bottom)) dy over the wet part of one element, for ever larger λ.
+/// Cosine and sine of λ (y - bottom) at some heights while λ grows by equal steps: rotated from one to the next, and
+/// begun anew often enough that round-off stays at a few tens of eps.
+class Phases {
+ public:
+  Phases(Eigen::ArrayXd distances, double step)
+      : distances_(std::move(distances)), turn_cos_((step * distances_).cos()), turn_sin_((step * distances_).sin()) {}
+
+  void begin(double lambda) {
+    cosines = (lambda * distances_).cos();
+    sines = (lambda * distances_).sin();
+  }
+  void turn() {
+    before_ = cosines;
+    cosines = cosines * turn_cos_ - sines * turn_sin_;
+    sines = sines * turn_cos_ + before_ * turn_sin_;
+  }
+
+  Eigen::ArrayXd cosines, sines;
+
+ private:
+  Eigen::ArrayXd distances_, turn_cos_, turn_sin_, before_;
+};
+
+constexpr int turns = 32;  ///< from one beginning to the next
+
+/// ∫ N_i cos(λ_k (y - bottom)) dy over the wet part of one element, for λ_k = (k + ½) step, k = 0, 1, … in turn.
 class CosineIntegrals {
  public:
-  CosineIntegrals(int order, const WetElement& wet, double bottom)
+  CosineIntegrals(int order, const WetElement& wet, double bottom, double step)
       : order_(order),
-        wet_(wet),
-        bottom_(bottom),
+        length_(wet.surface - wet.lower),
+        step_(step),
         rule_(numerics::gauss_legendre(gauss_points(order))),
-        basis_(numerics::lagrange_basis(numerics::gauss_lobatto(order + 1).points)),
-        shapes_(rule_.points.size(), order + 1),
+        shapes_(order + 1, rule_.points.size()),
         at_lower_(order + 1, order + 1),
-        at_surface_(order + 1, order + 1) {
-    const double share = (wet.surface - wet.lower) / (wet.upper - wet.lower);
+        at_surface_(order + 1, order + 1),
+        inside_(wet.lower - bottom + 0.5 * length_ * (1.0 + rule_.points.array()), step),
+        ends_(Eigen::Array2d(wet.lower - bottom, wet.surface - bottom), step),
+        integrals_(order + 1) {
+    const numerics::LagrangeBasis basis = numerics::lagrange_basis(numerics::gauss_lobatto(order + 1).points);
+    const double share = length_ / (wet.upper - wet.lower);
     for (Eigen::Index g = 0; g < rule_.points.size(); ++g)
-      shapes_.row(g) = numerics::values(basis_, (1.0 + rule_.points[g]) * share - 1.0).transpose();
-    // row k: k-th derivatives with respect to y at both ends
+      shapes_.col(g) =
+          0.5 * length_ * rule_.weights[g] * numerics::values(basis, (1.0 + rule_.points[g]) * share - 1.0);
+    // column k: k-th derivatives with respect to y at both ends
     Eigen::RowVectorXd lower = Eigen::RowVectorXd::Unit(order + 1, 0);
-    Eigen::RowVectorXd surface = numerics::values(basis_, 2.0 * share - 1.0).transpose();
+    Eigen::RowVectorXd surface = numerics::values(basis, 2.0 * share - 1.0).transpose();
     for (int k = 0; k <= order; ++k) {
-      at_lower_.row(k) = lower;
-      at_surface_.row(k) = surface;
-      lower = (lower * basis_.derivative * (2.0 / (wet.upper - wet.lower))).eval();
-      surface = (surface * basis_.derivative * (2.0 / (wet.upper - wet.lower))).eval();
+      at_lower_.col(k) = lower.transpose();
+      at_surface_.col(k) = surface.transpose();
+      lower = (lower * basis.derivative * (2.0 / (wet.upper - wet.lower))).eval();
+      surface = (surface * basis.derivative * (2.0 / (wet.upper - wet.lower))).eval();
     }
   }
 
-  Eigen::VectorXd operator()(double lambda) const {
-    return lambda * (wet_.surface - wet_.lower) <= largest_phase(order_) ? by_gauss(lambda) : by_parts(lambda);
+  /// Of the next λ. Allocates nothing after the first.
+  const Eigen::VectorXd& next() {
+    const double lambda = (number_ + 0.5) * step_;
+    const bool smooth = lambda * length_ <= largest_phase(order_);
+    Phases& phases = smooth ? inside_ : ends_;
+    if (number_ % turns == 0 || smooth != smooth_) {
+      phases.begin(lambda);
+    } else {
+      phases.turn();
+    }
+    smooth_ = smooth;
+    ++number_;
+    if (smooth) {
+      integrals_.noalias() = shapes_ * inside_.cosines.matrix();
+    } else {
+      by_parts(lambda);
+    }
+    return integrals_;
   }
 
  private:
@@ -59,33 +105,26 @@ class CosineIntegrals {
     return std::min(128, static_cast<int>(0.5 * (0.5 * largest_phase(order) + order)) + 16);
   }
 
-  Eigen::VectorXd by_gauss(double lambda) const {
-    const double half = 0.5 * (wet_.surface - wet_.lower), middle = 0.5 * (wet_.surface + wet_.lower) - bottom_;
-    const Eigen::VectorXd cosines =
-        half * (lambda * (middle + half * rule_.points.array())).cos() * rule_.weights.array();
-    return shapes_.transpose() * cosines;
-  }
-
   /// [N sin/λ + N' cos/λ² - N'' sin/λ³ - …] between the ends.
-  Eigen::VectorXd by_parts(double lambda) const {
-    const double low = lambda * (wet_.lower - bottom_), high = lambda * (wet_.surface - bottom_);
-    const double ends[2][2] = {{std::sin(low), std::cos(low)}, {std::sin(high), std::cos(high)}};
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero(order_ + 1);
+  void by_parts(double lambda) {
+    integrals_.setZero();
     double power = 1.0;
     for (int k = 0; k <= order_; ++k) {
       power /= lambda;
       const double sign = k % 4 < 2 ? power : -power;
-      sum += sign * (ends[1][k % 2] * at_surface_.row(k) - ends[0][k % 2] * at_lower_.row(k)).transpose();
+      const Eigen::ArrayXd& wave = k % 2 == 0 ? ends_.sines : ends_.cosines;
+      integrals_ += (sign * wave[1]) * at_surface_.col(k) - (sign * wave[0]) * at_lower_.col(k);
     }
-    return sum;
   }
 
   int order_;
-  WetElement wet_;
-  double bottom_;
+  double length_, step_;
   numerics::QuadratureRule rule_;
-  numerics::LagrangeBasis basis_;
-  Eigen::MatrixXd shapes_, at_lower_, at_surface_;
+  Eigen::MatrixXd shapes_, at_lower_, at_surface_;  // (p + 1, points) with the weights; (p + 1, p + 1)
+  Phases inside_, ends_;
+  Eigen::VectorXd integrals_;
+  int number_ = 0;
+  bool smooth_ = true;
 };
 
 }  // namespace
@@ -143,20 +182,18 @@ Eigen::MatrixXd incompressible_mass(const Face& face, double level, double densi
   double shortest = depth;
   std::vector<CosineIntegrals> integrals;
   for (const WetElement& wet : wet_parts) {
-    integrals.emplace_back(static_cast<int>(nodes_of(face, wet).size()) - 1, wet, bottom);
+    integrals.emplace_back(static_cast<int>(nodes_of(face, wet).size()) - 1, wet, bottom, std::numbers::pi / depth);
     shortest = std::min(shortest, wet.surface - wet.lower);
   }
   const int terms = static_cast<int>(std::fmin(400.0 * depth / (std::numbers::pi * shortest) + 50.0, 20'000.0));
-  Eigen::MatrixXd columns(face.size(), terms);
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(face.size(), terms);
   for (int k = 0; k < terms; ++k) {
-    const double lambda = (k + 0.5) * std::numbers::pi / depth;
-    Eigen::VectorXd c = Eigen::VectorXd::Zero(face.size());
     for (std::size_t e = 0; e < wet_parts.size(); ++e) {
-      const Eigen::VectorXd part = integrals[e](lambda);
+      const Eigen::VectorXd& part = integrals[e].next();
       const std::vector<int>& nodes = nodes_of(face, wet_parts[e]);
-      for (std::size_t i = 0; i < nodes.size(); ++i) c[nodes[i]] += part[static_cast<Eigen::Index>(i)];
+      for (std::size_t i = 0; i < nodes.size(); ++i) columns(nodes[i], k) += part[static_cast<Eigen::Index>(i)];
     }
-    columns.col(k) = c / std::sqrt(lambda);
+    columns.col(k) /= std::sqrt((k + 0.5) * std::numbers::pi / depth);
   }
   Eigen::MatrixXd mass = 2.0 * density / depth * columns * columns.transpose();
 

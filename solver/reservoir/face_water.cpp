@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "solver/convolution/contour_weights.hpp"
-#include "solver/convolution/simple_convolutions.hpp"
 #include "solver/numerics/planted_fault.hpp"
 #include "solver/reservoir/rank_one_root.hpp"
 
@@ -116,7 +115,7 @@ convolution::WeightSequence face_weights(const FaceModes& modes, double time_ste
     mine.along.imag() = mine.imaginary;
     mine.scaled = mine.along;
     for (Eigen::Index j = 0; j < m; ++j) mine.scaled.row(j) *= density / outgoing_root(S * S + mine.root.values()[j]);
-    M.noalias() = mine.along.transpose() * mine.scaled;
+    M.triangularView<Eigen::Lower>() = mine.along.transpose() * mine.scaled;
   };
   return convolution::contour_weights(n, time_step, last, mass, {.pool = pool});
 }
@@ -140,16 +139,6 @@ convolution::WeightSequence modal_weights(const FaceModes& modes, double time_st
     now = next;
   }
   return weights;
-}
-
-convolution::MadeConvolution face_convolution(const FaceModes& modes, double time_step, long long steps,
-                                              const convolution::ConvolutionOptions& options) {
-  if (modes.water.reflection_coefficient < 1.0)
-    return convolution::make_convolution(face_weights(modes, time_step, steps, options.pool), steps, options);
-  convolution::MadeConvolution made =
-      convolution::make_convolution(modal_weights(modes, time_step, steps), steps, options);
-  made.convolution = std::make_unique<convolution::Transformed>(modes.load, std::move(made.convolution));
-  return made;
 }
 
 }  // namespace sunder::reservoir

@@ -62,7 +62,9 @@ struct FaceResponse {
 ///     w_j = (ρ Δt c/2) cos(θ/2) (P_j + P_{j-1})(cos θ),    tan(θ/2) = k c Δt/2
 [[nodiscard]] convolution::WeightSequence modal_weights(const FaceModes& modes, double time_step, long long last);
 
-/// The convolution of accelerations 0 … `steps`: by modes where α = 1, dense otherwise. Throws std::invalid_argument
+/// The convolution of accelerations 0 … `steps`: by modes where α = 1, dense otherwise. `state_space` needs the memory
+/// of a few exponentials, whatever `steps`: closed sums where α = 1 (modal_exponentials.hpp), otherwise those of the
+/// weights until they have faded to a hundredth of the tolerance. Throws std::invalid_argument
 /// where time_step is not finite and > 0 or steps is out of range.
 [[nodiscard]] convolution::MadeConvolution face_convolution(const FaceModes& modes, double time_step, long long steps,
                                                             const convolution::ConvolutionOptions& options = {});

@@ -20,7 +20,8 @@ struct PartCost {
   std::string part = {};         ///< module name: "mesh", "sbfem", "fracture", …
   long calls = 0;                ///< how often the part was entered
   long long matrix_entries = 0;  ///< coefficients it formed or stored
-  double seconds = 0.0;          ///< CPU seconds
+  double seconds = 0.0;          ///< CPU seconds, without those of parts that it called
+  long long bytes = 0;           ///< of memory that it took and still held when it was left, likewise
 };
 
 struct RunSummary {

@@ -49,6 +49,7 @@ Json json_of(const std::vector<PartCost>& parts) {
   for (const PartCost& part : parts)
     json.push_back({{"part", part.part},
                     {"calls", part.calls},
+                    {"bytes", part.bytes},
                     {"matrix_entries", part.matrix_entries},
                     {"seconds", part.seconds}});
   return json;

@@ -87,42 +87,58 @@ Pattern pattern_of(const mesh::NodalMesh& mesh, const Incidence& incidence, cons
   return pattern;
 }
 
-template <class MatrixOf>
-Eigen::SparseMatrix<double> assemble(const mesh::NodalMesh& mesh, numerics::ThreadPool* pool,
-                                     const MatrixOf& matrix_of) {
-  const Chunks chunks = [pool](int count, const std::function<void(int, int, int)>& body) {
-    pool == nullptr ? body(0, count, 0) : pool->chunks(count, body);
-  };
-  const int nodes = mesh.node_count();
-  const Incidence incidence = incidence_of(mesh);
-  const Pattern pattern = pattern_of(mesh, incidence, chunks);
+/// The pattern of all matrices of one mesh, found once.
+class Assembler {
+ public:
+  Assembler(const mesh::NodalMesh& mesh, numerics::ThreadPool* pool)
+      : mesh_(mesh),
+        chunks_([pool](int count, const std::function<void(int, int, int)>& body) {
+          pool == nullptr ? body(0, count, 0) : pool->chunks(count, body);
+        }),
+        incidence_(incidence_of(mesh)),
+        pattern_(pattern_of(mesh, incidence_, chunks_)) {}
 
-  // Column 2i holds both rows of every block, column 2i + 1 lacks the entry above the diagonal.
-  const auto column_start = [&](int i) { return 4 * pattern.offsets[i] - i; };
+  /// Σ of `matrix_of(polygon)`.
+  template <class MatrixOf>
+  Eigen::SparseMatrix<double> sum(const MatrixOf& matrix_of) const;
+
+ private:
+  /// Column 2i holds both rows of every block, column 2i + 1 lacks the entry above the diagonal.
+  int column_start(int i) const { return 4 * pattern_.offsets[i] - i; }
+
+  const mesh::NodalMesh& mesh_;
+  Chunks chunks_;
+  Incidence incidence_;
+  Pattern pattern_;
+};
+
+template <class MatrixOf>
+Eigen::SparseMatrix<double> Assembler::sum(const MatrixOf& matrix_of) const {
+  const int nodes = mesh_.node_count();
   Eigen::SparseMatrix<double> result(2 * nodes, 2 * nodes);
   result.resizeNonZeros(column_start(nodes));
   int* outer = result.outerIndexPtr();
   int* inner = result.innerIndexPtr();
   double* values = result.valuePtr();
-  chunks(nodes, [&](int begin, int end, int) {
+  chunks_(nodes, [&](int begin, int end, int) {
     std::vector<int> position(static_cast<std::size_t>(nodes));  // of a row node within the present column
     for (int i = begin; i < end; ++i) {
-      const int first = pattern.offsets[i], blocks = pattern.offsets[i + 1] - first;
+      const int first = pattern_.offsets[i], blocks = pattern_.offsets[i + 1] - first;
       const int left = column_start(i), right = left + 2 * blocks;  // starts of columns 2i and 2i + 1
       outer[2 * i] = left;
       outer[2 * i + 1] = right;
       for (int b = 0; b < blocks; ++b) {
-        const int row = pattern.rows[first + b];
+        const int row = pattern_.rows[first + b];
         position[row] = b;
         inner[left + 2 * b] = 2 * row;
         inner[left + 2 * b + 1] = inner[right + 2 * b] = 2 * row + 1;
         if (b > 0) inner[right + 2 * b - 1] = 2 * row;
       }
       std::fill(values + left, values + right + 2 * blocks - 1, 0.0);
-      for (int k = incidence.offsets[i]; k < incidence.offsets[i + 1]; ++k) {
-        const auto matrix = matrix_of(incidence.polygons[k]);
-        const std::span<const int> around = mesh.polygon(incidence.polygons[k]).nodes;
-        const double* column = matrix.data() + 2 * incidence.locals[k] * matrix.rows();
+      for (int k = incidence_.offsets[i]; k < incidence_.offsets[i + 1]; ++k) {
+        const auto matrix = matrix_of(incidence_.polygons[k]);
+        const std::span<const int> around = mesh_.polygon(incidence_.polygons[k]).nodes;
+        const double* column = matrix.data() + 2 * incidence_.locals[k] * matrix.rows();
         const double* next = column + matrix.rows();
         for (std::size_t local = 0; local < around.size(); ++local) {
           if (around[local] < i) continue;
@@ -139,17 +155,35 @@ Eigen::SparseMatrix<double> assemble(const mesh::NodalMesh& mesh, numerics::Thre
   return result;
 }
 
+Eigen::SparseMatrix<double> sum_of_stiffness(const Assembler& assembler, const Formation& formation) {
+  return assembler.sum([&formation](int polygon) { return formation.stiffness(polygon); });
+}
+
+Eigen::SparseMatrix<double> sum_of_mass(const Assembler& assembler, const Formation& formation) {
+  return assembler.sum([&formation](int polygon) { return formation.mass(polygon); });
+}
+
+void require_mass(const Formation& formation) {
+  if (!formation.has_mass()) throw std::invalid_argument("assemble_mass: the formation was made without mass");
+}
+
 }  // namespace
 
 Eigen::SparseMatrix<double> assemble_stiffness(const mesh::NodalMesh& mesh, const Formation& formation,
                                                numerics::ThreadPool* pool) {
-  return assemble(mesh, pool, [&formation](int polygon) { return formation.stiffness(polygon); });
+  return sum_of_stiffness(Assembler(mesh, pool), formation);
 }
 
 Eigen::SparseMatrix<double> assemble_mass(const mesh::NodalMesh& mesh, const Formation& formation,
                                           numerics::ThreadPool* pool) {
-  if (!formation.has_mass()) throw std::invalid_argument("assemble_mass: the formation was made without mass");
-  return assemble(mesh, pool, [&formation](int polygon) { return formation.mass(polygon); });
+  require_mass(formation);
+  return sum_of_mass(Assembler(mesh, pool), formation);
+}
+
+AssembledMatrices assemble(const mesh::NodalMesh& mesh, const Formation& formation, numerics::ThreadPool* pool) {
+  require_mass(formation);
+  const Assembler assembler(mesh, pool);
+  return {.stiffness = sum_of_stiffness(assembler, formation), .mass = sum_of_mass(assembler, formation)};
 }
 
 }  // namespace sunder::sbfem

@@ -21,4 +21,12 @@ Eigen::SparseMatrix<double> assemble_stiffness(const mesh::NodalMesh& mesh, cons
 Eigen::SparseMatrix<double> assemble_mass(const mesh::NodalMesh& mesh, const Formation& formation,
                                           numerics::ThreadPool* pool = nullptr);
 
+struct AssembledMatrices {
+  Eigen::SparseMatrix<double> stiffness, mass;  ///< of one pattern
+};
+
+/// Both, the pattern found once. Throws as assemble_mass.
+AssembledMatrices assemble(const mesh::NodalMesh& mesh, const Formation& formation,
+                           numerics::ThreadPool* pool = nullptr);
+
 }  // namespace sunder::sbfem

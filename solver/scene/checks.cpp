@@ -267,12 +267,24 @@ void check_checkpoints(const Node& document, const Scene& scene, Findings& findi
   if (scene.analysis != Analysis::dynamic)
     findings.add(origin, "output.checkpoint_every",
                  "has no effect in analysis = \"" + std::string(word_of(scene.analysis)) + "\"; accepted: 0");
-  else if (!scene.cracks.empty())
-    findings.add(origin, "output.checkpoint_every",
-                 "a run with [[crack]] cannot be taken up again; accepted: 0, or a scene without cracks");
   else if (scene.output->fields_every > 0)
     findings.add(origin, "output.checkpoint_every",
                  "fields cannot be taken up again; accepted: 0, or fields_every = 0");
+}
+
+/// What a crack that moves cannot have yet is refused, and not left away silently.
+void check_moving_faces(const Node& document, const Scene& scene, Findings& findings) {
+  if (scene.analysis != Analysis::dynamic) return;
+  if (scene.contact && scene.contact->friction_coefficient > 0.0)
+    findings.add(document.find("contact")->find("friction_coefficient")->origin, "contact.friction_coefficient",
+                 shown(scene.contact->friction_coefficient) +
+                     " has no effect in analysis = \"dynamic\"; accepted: 0, faces that slide freely");
+  for (std::size_t i = 0; i < scene.cracks.size(); ++i)
+    if (scene.cracks[i].inner && (scene.contact || scene.propagation))
+      findings.add(
+          element(document, "crack", i).find("inner")->origin, "crack[" + std::to_string(i) + "].inner",
+          "with [contact] or [propagation] is not accepted in analysis = \"dynamic\"; accepted: a crack with a "
+          "mouth, or analysis = \"static\"");
 }
 
 /// What acts on crack faces needs a crack; resting water in it comes from a reservoir.
@@ -308,6 +320,7 @@ void check_together(const Node& document, const Scene& scene, Findings& findings
   check_propagation(document, scene, findings);
   if (scene.foundation) check_founded_boundary(document, scene, findings);
   check_crack_faces(document, scene, findings);
+  check_moving_faces(document, scene, findings);
   check_checkpoints(document, scene, findings);
   if (scene.analysis == Analysis::static_ && findings.count() == before) check_held(document, scene, findings);
 }

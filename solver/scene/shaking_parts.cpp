@@ -27,7 +27,13 @@ Table<Reservoir> reservoir_table() {
                                       {"westergaard", ReservoirModel::westergaard},
                                       {"incompressible", ReservoirModel::incompressible},
                                       {"compressible", ReservoirModel::compressible}},
-              {.name = "model", .meaning = "what of the water is present"})},
+              {.name = "model", .meaning = "what of the water is present"}),
+       key(&Reservoir::memory_tolerance,
+           {.name = "memory_tolerance",
+            .range = between(0.0, 0.1),
+            .meaning =
+                "of the compressible water: 0 is the exact convolution; above, as a share of its kernel's sum, a "
+                "sum of exponentials whose cost a step does not grow with the run"})},
       [](const Node& node, Reservoir&, const std::string& path, Findings& findings) {
         const bool face = node.has("boundary") && node.has("level");
         const bool any = node.has("boundary") || node.has("level");
@@ -81,16 +87,21 @@ Table<Foundation> foundation_table(const std::shared_ptr<const Table<NearField>>
 }
 
 Table<GroundMotion> ground_motion_table() {
-  return {"ground_motion",
-          "[ground_motion]",
-          "the earthquake",
-          {key(&GroundMotion::horizontal,
-               {.name = "horizontal",
-                .required = true,
-                .meaning = "table of time [s] and acceleration [m/s²], or a PEER .at2 record; relative to the scene"}),
-           key(&GroundMotion::vertical, {.name = "vertical", .meaning = "likewise"}),
-           key(&GroundMotion::horizontal_scale, {.name = "horizontal_scale", .meaning = "-1 reverses the component"}),
-           key(&GroundMotion::vertical_scale, {.name = "vertical_scale", .meaning = "likewise"})}};
+  return {
+      "ground_motion",
+      "[ground_motion]",
+      "the earthquake",
+      {key(&GroundMotion::horizontal,
+           {.name = "horizontal",
+            .required = true,
+            .meaning = "table of time [s] and acceleration [m/s²], or a PEER .at2 record; relative to the scene"}),
+       key(&GroundMotion::vertical, {.name = "vertical", .meaning = "likewise"}),
+       key(&GroundMotion::horizontal_scale, {.name = "horizontal_scale", .meaning = "-1 reverses the component"}),
+       key(&GroundMotion::vertical_scale, {.name = "vertical_scale", .meaning = "likewise"}),
+       choice(&GroundMotion::baseline, Choices<Baseline>{{"none", Baseline::none}, {"parabola", Baseline::parabola}},
+              {.name = "baseline",
+               .meaning = "correction of both components: \"parabola\" takes off the parabola in time that leaves "
+                          "the least velocity of the ground"})}};
 }
 
 constexpr double most_steps = 1e7;  // a history of ten columns is 0.8 GB then
@@ -196,7 +207,7 @@ Table<Output> output_table() {
            key(&Output::checkpoint_every,
                {.name = "checkpoint_every",
                 .range = at_least(0),
-                .meaning = "analysis = \"dynamic\" without cracks and fields: steps between checkpoints, from which "
+                .meaning = "analysis = \"dynamic\" without fields: steps between checkpoints, from which "
                            "`sunder run --resume` goes on to the same bits; 0: none"})}};
 }
 

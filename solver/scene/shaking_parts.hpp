@@ -20,6 +20,7 @@ struct Reservoir {
   double sound_speed = 1440.0;           ///< [m/s], > 0
   double reflection_coefficient = 0.75;  ///< α of the bottom [-], 0 … 1 (rigid)
   ReservoirModel model = ReservoirModel::compressible;
+  double memory_tolerance = 0.0;  ///< of the water's memory, 0 … 0.1 of its kernel's sum; 0: the exact convolution
 };
 
 enum class FoundationShape {
@@ -44,11 +45,17 @@ struct Foundation {
   std::optional<NearField> near_field;
 };
 
+enum class Baseline {
+  none,      ///< the record as it stands
+  parabola,  ///< less the parabola in time that leaves the ground's velocity smallest (dynamics/ground_motion.hpp)
+};
+
 struct GroundMotion {
   std::filesystem::path horizontal;               ///< table of time [s] and acceleration [m/s²]
   std::optional<std::filesystem::path> vertical;  ///< likewise
   double horizontal_scale = 1.0;                  ///< [-]; -1 reverses the component
   double vertical_scale = 1.0;                    ///< [-]
+  Baseline baseline = Baseline::none;             ///< of both components
 };
 
 enum class Integrator { newmark, hht_alpha, generalised_alpha };

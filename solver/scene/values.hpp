@@ -92,9 +92,6 @@ inline std::string type_text(const std::vector<std::vector<int>>*) {
 inline std::string type_text(const std::array<double, 2>*) {
   return "[x, y]";
 }
-inline std::string type_text(const std::array<int, 2>*) {
-  return "two whole numbers";
-}
 inline std::string type_text(const std::map<std::string, std::vector<int>>*) {
   return "{ name = [edge, …] }";
 }

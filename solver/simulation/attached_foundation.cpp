@@ -5,10 +5,14 @@
 
 #include "solver/convolution/make_convolution.hpp"
 #include "solver/foundation/rock_weights.hpp"
+#include "solver/simulation/built_parts.hpp"
 #include "solver/simulation/foundation_line.hpp"
 #include "solver/simulation/response_cache.hpp"
 
 namespace sunder::simulation {
+
+const bool built::foundation = true;
+
 namespace {
 
 using Eigen::Index;
@@ -130,6 +134,7 @@ AttachedFoundation attach_foundation(const Body& body, const SurfaceMotion& moti
   attached.medium->convolution =
       convolution::make_convolution(std::move(found.weights), plan.steps, {.pool = &pool}).convolution;
   attached.medium->driven_by = DrivenBy::relative;
+  attached.medium->worker = "convolution";
   attached.medium->warnings = std::move(found.warnings);
   return attached;
 }

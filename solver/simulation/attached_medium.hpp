@@ -3,10 +3,12 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "solver/convolution/convolution.hpp"
+#include "solver/numerics/meter.hpp"
 #include "solver/numerics/thread_pool.hpp"
 #include "solver/scene/scene.hpp"
 #include "solver/simulation/body.hpp"
@@ -25,7 +27,10 @@ struct AttachedMedium {
   std::vector<int> dofs;  ///< (n) of the body, 2·node + component, ascending; R acts on the medium, the body feels -R
   std::unique_ptr<convolution::Convolution> convolution;
   DrivenBy driven_by = DrivenBy::total;
+  std::string worker = {};                 ///< the part that works in each step: "convolution" where there is a history
+  mutable numerics::Meter work = {};       ///< of the convolution in each step; a constant medium is metered too
   std::vector<std::string> warnings = {};  ///< words for the run's summary
+  std::optional<double> memory_error = {};  ///< stated, of the kernel's sum; absent where the convolution is exact
 };
 
 /// Steps of equal length: a medium's convolution holds the weights of `steps` of them.
@@ -44,8 +49,5 @@ struct StepPlan {
 /// w (n), in the order of that medium's dofs: the pressure that its forces R make at a height of the face is w · R
 /// [Pa], beside the pressure at rest. Zero above the level. Throws as `attach_reservoir`.
 [[nodiscard]] Eigen::VectorXd reservoir_pressure_weights(const scene::Scene& scene, const Body& body, double height);
-
-/// ρ g (level - height) of the scene's [reservoir], 0 above the level [Pa]; g is that of [gravity], 9.81 m/s² without.
-[[nodiscard]] double reservoir_pressure_at_rest(const scene::Scene& scene, double height);
 
 }  // namespace sunder::simulation

@@ -1,6 +1,7 @@
 // The water of [reservoir] as a medium of the body.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 #include <unordered_map>
 
@@ -9,8 +10,12 @@
 #include "solver/reservoir/face_water.hpp"
 #include "solver/scene/scene_error.hpp"
 #include "solver/simulation/attached_medium.hpp"
+#include "solver/simulation/built_parts.hpp"
 
 namespace sunder::simulation {
+
+const bool built::reservoir = true;
+
 namespace {
 
 /// The wet part of the boundary as module reservoir wants it.
@@ -102,22 +107,40 @@ reservoir::Water water_of(const scene::Reservoir& reservoir) {
           .reflection_coefficient = reservoir.reflection_coefficient};
 }
 
-std::unique_ptr<convolution::Convolution> convolution_of(const scene::Reservoir& reservoir, const WetBoundary& wet,
-                                                         const StepPlan& plan, numerics::ThreadPool& pool) {
+/// Compressible water: all of its memory, or that of a few exponentials.
+void convolve_with(const scene::Reservoir& reservoir, const WetBoundary& wet, const StepPlan& plan,
+                   numerics::ThreadPool& pool, AttachedMedium& medium) {
+  convolution::ConvolutionOptions options{.pool = &pool};
+  if (reservoir.memory_tolerance > 0.0) {
+    options.method = convolution::Method::state_space;
+    options.reduction.tolerance = reservoir.memory_tolerance;
+  }
+  convolution::MadeConvolution made = reservoir::face_convolution(
+      reservoir::face_modes(reservoir::pressure_mesh(wet.face, *reservoir.level), water_of(reservoir)), plan.time_step,
+      plan.steps, options);
+  medium.convolution = std::move(made.convolution);
+  if (options.method != convolution::Method::state_space) return;
+  medium.memory_error = made.error.relative;
+  if (made.within_tolerance) return;
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "the water's memory errs by up to %.2g of its kernel's sum, more than "
+                "reservoir.memory_tolerance = %.2g",
+                made.error.relative, reservoir.memory_tolerance);
+  medium.warnings.emplace_back(text);
+}
+
+std::unique_ptr<convolution::Convolution> mass_of(const scene::Reservoir& reservoir, const WetBoundary& wet) {
   switch (reservoir.model) {
     case scene::ReservoirModel::hydrostatic:
-      return nullptr;
+    case scene::ReservoirModel::compressible:
+      break;
     case scene::ReservoirModel::westergaard:
       return std::make_unique<convolution::InstantaneousMass>(
           reservoir::westergaard_mass(wet.face, *reservoir.level, reservoir.density));
     case scene::ReservoirModel::incompressible:
       return std::make_unique<convolution::InstantaneousMass>(
           reservoir::incompressible_mass(wet.face, *reservoir.level, reservoir.density));
-    case scene::ReservoirModel::compressible:
-      return reservoir::face_convolution(
-                 reservoir::face_modes(reservoir::pressure_mesh(wet.face, *reservoir.level), water_of(reservoir)),
-                 plan.time_step, plan.steps, {.pool = &pool})
-          .convolution;
   }
   return nullptr;
 }
@@ -132,8 +155,16 @@ std::unique_ptr<AttachedMedium> attach_reservoir(const scene::Scene& scene, cons
   auto medium = std::make_unique<AttachedMedium>();
   medium->name = "reservoir";
   for (const int node : wet.nodes) medium->dofs.push_back(2 * node);
-  medium->convolution = at_reservoir(scene, [&] { return convolution_of(*scene.reservoir, wet, plan, pool); });
+  at_reservoir(scene, [&] {
+    if (scene.reservoir->model == scene::ReservoirModel::compressible) {
+      convolve_with(*scene.reservoir, wet, plan, pool, *medium);
+    } else {
+      medium->convolution = mass_of(*scene.reservoir, wet);
+    }
+  });
   medium->driven_by = DrivenBy::total;
+  const bool remembers = scene.reservoir->model == scene::ReservoirModel::compressible;
+  medium->worker = remembers ? "convolution" : "reservoir";
   visit.add_entries(static_cast<long long>(wet.nodes.size()) * static_cast<long long>(wet.nodes.size()));
   return medium;
 }
@@ -144,11 +175,6 @@ Eigen::VectorXd reservoir_pressure_weights(const scene::Scene& scene, const Body
       at_reservoir(scene, [&] { return reservoir::pressure_mesh(wet.face, *scene.reservoir->level); });
   // R acts on the water in +x; the functional wants forces that push into the water
   return wet.into_water * reservoir::pressure_functional(mesh, height);
-}
-
-double reservoir_pressure_at_rest(const scene::Scene& scene, double height) {
-  const double gravity = scene.gravity.value_or(scene::Gravity{}).acceleration;
-  return reservoir::hydrostatic_pressure(scene.reservoir->density, gravity, *scene.reservoir->level, height);
 }
 
 }  // namespace sunder::simulation

@@ -224,12 +224,19 @@ std::vector<PolygonEdge> find_edges(const mesh::PolygonMesh& mesh, const std::ve
     return (static_cast<unsigned long long>(low) << 32) | static_cast<unsigned>(high);
   };
   std::unordered_map<unsigned long long, std::size_t> wanted;
-  for (std::size_t i = 0; i < edges.size(); ++i) wanted.emplace(key(edges[i]), i);
+  std::vector<char> at_vertex(mesh.vertices.size(), 0);  // most edges of a body have no wanted vertex: no look-up
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    wanted.emplace(key(edges[i]), i);
+    for (const int vertex : edges[i]) at_vertex[static_cast<std::size_t>(vertex)] = 1;
+  }
   std::vector<PolygonEdge> found(edges.size());
   for (std::size_t p = 0; p < mesh.polygons.size(); ++p) {
     const mesh::Polygon& polygon = mesh.polygons[p];
     for (int e = 0; e < polygon.edge_count(); ++e) {
-      const auto match = wanted.find(key(polygon.edge(e)));
+      const mesh::Edge edge = polygon.edge(e);
+      if (at_vertex[static_cast<std::size_t>(edge[0])] == 0 || at_vertex[static_cast<std::size_t>(edge[1])] == 0)
+        continue;
+      const auto match = wanted.find(key(edge));
       if (match != wanted.end()) found[match->second] = {static_cast<int>(p), e};
     }
   }

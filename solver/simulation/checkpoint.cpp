@@ -1,84 +1,74 @@
 #include "solver/simulation/checkpoint.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <cstring>
 #include <fstream>
 #include <iterator>
-#include <span>
 
 #include "solver/results/atomic_file.hpp"
+#include "solver/simulation/byte_stream.hpp"
 #include "solver/simulation/response_cache.hpp"
 
 namespace sunder::simulation {
 namespace {
 
 constexpr std::string_view magic = "sunderCP";
-constexpr std::uint64_t version = 1, order_witness = 1;
+constexpr std::uint64_t version = 2, order_witness = 1;
 constexpr std::size_t name_letters = 32, head = 24 + name_letters;
 
-template <class Value>
-void put(std::string& bytes, const Value& value) {
-  std::array<char, sizeof(Value)> raw;
-  std::memcpy(raw.data(), &value, sizeof(Value));
-  bytes.append(raw.data(), raw.size());
+template <class Stream, class State>
+void visit_water(Stream& stream, State& water) {
+  auto& state = water.state;
+  stream(state.status);
+  for (auto* values : {&state.voids, &state.capacities}) stream(*values);
+  for (auto* value : {&state.time, &state.content, &state.inflow, &state.outflow, &state.moved, &state.balance_error,
+                      &state.front_position, &water.first_content, &water.upstream_flux, &water.downstream_flux})
+    stream(*value);
+  for (auto* count : {&state.residual_evaluations, &state.gradient_evaluations, &state.steps}) stream(*count);
+  for (auto* sum : {&water.inflow, &water.outflow}) stream(*sum);
 }
 
-void put_all(std::string& bytes, std::span<const double> values) {
-  put(bytes, std::uint64_t{values.size()});
-  for (const double value : values) put(bytes, value);
+template <class Stream, class Memory>
+void visit_cracks(Stream& stream, Memory& cracks) {
+  stream(cracks.growths);
+  auto &faces = cracks.step.faces, &solve = cracks.step.solve;
+  for (auto* values : {&faces.force, &faces.opening, &faces.contact, &cracks.step.motion, &solve.force, &solve.motion,
+                       &solve.opening, &solve.contact_force, &solve.mouth_pressure, &cracks.released})
+    stream(*values);
+  for (auto* value : {&faces.stiffness, &solve.stiffness, &cracks.face_residual}) stream(*value);
+  stream(solve.touching);
+  stream.resize(cracks.waters);
+  for (auto& water : cracks.waters) visit_water(stream, water);
+  stream(cracks.allowances);
+  for (auto* noted : {&cracks.events, &cracks.profiles}) stream(*noted);
 }
 
-std::span<const double> all_of(const Eigen::VectorXd& values) {
-  return {values.data(), static_cast<std::size_t>(values.size())};
+template <class Stream, class Values>
+void visit(Stream& stream, Values& checkpoint) {
+  stream(checkpoint.number);
+  auto& state = checkpoint.state;
+  for (auto* values : {&state.displacement, &state.velocity, &state.acceleration}) stream(*values);
+  stream.resize(checkpoint.medium_forces);
+  for (auto& force : checkpoint.medium_forces) stream(force);
+  stream(checkpoint.felt);
+  stream(checkpoint.energy);
+  stream(checkpoint.history);
+  stream(checkpoint.cracked);
+  if (checkpoint.cracked) visit_cracks(stream, checkpoint.cracks);
 }
-
-/// Takes values from the front; more than is left gives zeros and `short_of`.
-class Taker {
- public:
-  explicit Taker(std::string_view bytes) : bytes_(bytes) {}
-
-  template <class Value>
-  Value take() {
-    Value value{};
-    if (bytes_.size() < sizeof(Value)) {
-      short_of_ = true;
-      return value;
-    }
-    std::memcpy(&value, bytes_.data(), sizeof(Value));
-    bytes_.remove_prefix(sizeof(Value));
-    return value;
-  }
-  std::vector<double> take_all() {
-    const auto count = take<std::uint64_t>();
-    if (count > bytes_.size() / sizeof(double)) short_of_ = true;
-    std::vector<double> values;
-    for (std::uint64_t i = 0; !short_of_ && i < count; ++i) values.push_back(take<double>());
-    return values;
-  }
-  Eigen::VectorXd take_vector() {
-    const std::vector<double> values = take_all();
-    return Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values));
-  }
-  bool whole() const { return !short_of_ && bytes_.empty(); }
-
- private:
-  std::string_view bytes_;
-  bool short_of_ = false;
-};
 
 std::string head_of(const std::string& identity) {
   std::string bytes(magic);
-  put(bytes, order_witness);
-  put(bytes, version);
+  ByteWriter write(bytes);
+  write(order_witness);
+  write(version);
   return bytes + identity;
 }
 
 }  // namespace
 
 std::string run_identity(const StepEquations& equations, const Eigen::VectorXd& dead_load,
-                         const Eigen::MatrixXd& load_samples) {
+                         const Eigen::MatrixXd& load_samples, const Eigen::VectorXd& laws) {
   CacheKey key("run");
   const auto& [scheme, time_step, damping] = equations.options();
   for (const double value :
@@ -88,6 +78,7 @@ std::string run_identity(const StepEquations& equations, const Eigen::VectorXd& 
     key.add(Eigen::VectorXd::Map(matrix->valuePtr(), matrix->nonZeros()));
   key.add(dead_load);
   key.add(load_samples);
+  key.add(laws);
   for (const AttachedMedium* medium : equations.media()) key.add(medium->convolution->instantaneous_mass());
   return fingerprint(key.bytes());
 }
@@ -98,15 +89,8 @@ std::filesystem::path checkpoint_file(const std::filesystem::path& folder) {
 
 void write_checkpoint(const std::filesystem::path& folder, const std::string& identity, const Checkpoint& checkpoint) {
   std::string bytes = head_of(identity);
-  put(bytes, static_cast<std::int64_t>(checkpoint.number));
-  for (const Eigen::VectorXd* values :
-       {&checkpoint.state.displacement, &checkpoint.state.velocity, &checkpoint.state.acceleration})
-    put_all(bytes, all_of(*values));
-  put(bytes, std::uint64_t{checkpoint.medium_forces.size()});
-  for (const Eigen::VectorXd& force : checkpoint.medium_forces) put_all(bytes, all_of(force));
-  put_all(bytes, checkpoint.felt);
-  put(bytes, checkpoint.energy);
-  put_all(bytes, checkpoint.history);
+  ByteWriter write(bytes);
+  visit(write, checkpoint);
   bytes += fingerprint(bytes);
   results::write_atomically(checkpoint_file(folder), bytes);
 }
@@ -127,18 +111,9 @@ FoundCheckpoint read_checkpoint(const std::filesystem::path& folder, const std::
   if (all.substr(24, name_letters) != identity)
     return faulty("belongs to another run: body, loads, steps or surroundings differ");
 
-  Taker taker(before.substr(head));
-  Checkpoint& checkpoint = found.checkpoint;
-  checkpoint.number = taker.take<std::int64_t>();
-  for (Eigen::VectorXd* values :
-       {&checkpoint.state.displacement, &checkpoint.state.velocity, &checkpoint.state.acceleration})
-    *values = taker.take_vector();
-  checkpoint.medium_forces.resize(std::min<std::uint64_t>(taker.take<std::uint64_t>(), before.size()));
-  for (Eigen::VectorXd& force : checkpoint.medium_forces) force = taker.take_vector();
-  checkpoint.felt = taker.take_all();
-  checkpoint.energy = taker.take<EnergyMemory>();
-  checkpoint.history = taker.take_all();
-  if (!taker.whole()) return faulty("has the wrong length");
+  ByteReader read(before.substr(head));
+  visit(read, found.checkpoint);
+  if (!read.whole()) return faulty("has the wrong length");
   return found;
 }
 

@@ -14,6 +14,7 @@
 #include "solver/crack/crack_faces.hpp"
 #include "solver/fracture/stress_intensity.hpp"
 #include "solver/sbfem/formation.hpp"
+#include "solver/scene/scene.hpp"
 #include "solver/simulation/body.hpp"
 
 namespace sunder::simulation {
@@ -23,9 +24,9 @@ struct TipFactors {
   std::vector<int> dofs;             ///< (2k) of the body on the tip polygon's boundary
   Eigen::Matrix3Xd of_displacement;  ///< (3, 2k) [Pa √m / m], [Pa / m]
   Eigen::Matrix<double, 3, 2> of_pressure = Eigen::Matrix<double, 3, 2>::Zero();  ///< a unit of y_a, of y_b [√m], [-]
-  Eigen::Vector3d of_weight = Eigen::Vector3d::Zero();  ///< of the body force given [Pa √m], [Pa]
-  mesh::Point position = mesh::Point::Zero();           ///< of the tip [m]
-  double direction = 0.0;                               ///< of the crack there [rad]
+  Eigen::Vector3d of_constant_loads = Eigen::Vector3d::Zero();  ///< weight, given pressure on the faces [Pa √m], [Pa]
+  mesh::Point position = mesh::Point::Zero();                   ///< of the tip [m]
+  double direction = 0.0;                                       ///< of the crack there [rad]
   fracture::TipStatus status = fracture::TipStatus::ready;
 
   /// {K_I, K_II, T} for u (dofs) [m] and the pressures y_a, y_b [Pa].
@@ -43,8 +44,9 @@ struct CrackFaceLoads {
   Eigen::VectorXd uniform_share() const;
 };
 
-/// Of body.polygons.cracks[crack]. `formation`: of the body's polygons; `gravity` acts in -y [m/s²].
-[[nodiscard]] CrackFaceLoads crack_face_loads(const Body& body, const sbfem::Formation& formation, int crack,
-                                              double gravity);
+/// Of body.polygons.cracks[crack]. `formation`: of the body's polygons. `scene` tells how the factors are read and what
+/// acts inside the tip polygon for good: weight, and the pressure given with the crack; water that moves is not there.
+[[nodiscard]] CrackFaceLoads crack_face_loads(const scene::Scene& scene, const Body& body,
+                                              const sbfem::Formation& formation, int crack);
 
 }  // namespace sunder::simulation

@@ -4,7 +4,6 @@
 #include <tuple>
 
 #include "solver/sbfem/assembly.hpp"
-#include "solver/simulation/polygon_loads.hpp"
 
 namespace sunder::simulation {
 namespace {
@@ -32,20 +31,21 @@ void join_loads(DynamicBody& body) {
 }  // namespace
 
 DynamicBody dynamic_body(const scene::Scene& scene, Body body, sbfem::Formation formation, bool rock_moves,
-                         numerics::ThreadPool& pool) {
+                         numerics::ThreadPool& pool, const std::optional<EarlierLoads>& earlier) {
   DynamicBody result;
   result.body = std::move(body);
   result.formation = std::move(formation);
   result.supports = supports_of(scene, result.body, rock_moves, rock_moves);
-  result.stiffness = sbfem::assemble_stiffness(result.body.nodes, result.formation, &pool);
-  result.mass = sbfem::assemble_mass(result.body.nodes, result.formation, &pool);
+  sbfem::AssembledMatrices matrices = sbfem::assemble(result.body.nodes, result.formation, &pool);
+  result.stiffness = std::move(matrices.stiffness);
+  result.mass = std::move(matrices.mass);
   scene::Scene without_water = scene;  // the water in the cracks moves; it is no constant load
   without_water.crack_water.reset();
+  result.interior = interior_loads(without_water, result.body, result.formation, pool, earlier, LoadDetail::forces);
   result.dead_load = boundary_forces(without_water, result.body) + crack_face_forces(without_water, result.body) +
-                     interior_loads(without_water, result.body, result.formation, pool).force;
-  const double gravity = scene.gravity ? scene.gravity->acceleration : 0.0;
+                     result.interior.force;
   for (int crack = 0; crack < static_cast<int>(result.body.polygons.cracks.size()); ++crack) {
-    result.cracks.push_back(crack_face_loads(result.body, result.formation, crack, gravity));
+    result.cracks.push_back(crack_face_loads(without_water, result.body, result.formation, crack));
   }
   join_loads(result);
   return result;

@@ -13,6 +13,7 @@
 #include "solver/scene/scene.hpp"
 #include "solver/simulation/body.hpp"
 #include "solver/simulation/crack_face_loads.hpp"
+#include "solver/simulation/polygon_loads.hpp"
 #include "solver/simulation/static_loads.hpp"
 #include "solver/simulation/step_equations.hpp"
 
@@ -24,6 +25,7 @@ struct DynamicBody {
   Supports supports{.constraints = Constraints(0), .dofs = {}};
   Eigen::SparseMatrix<double> stiffness, mass;  ///< lower triangles (dofs, dofs)
   Eigen::VectorXd dead_load;                    ///< (dofs) [N/m] weight, standing water, other constant loads
+  InteriorLoads interior;                       ///< the part of it that acts inside polygons
   std::vector<CrackFaceLoads> cracks;           ///< one a tip
   Eigen::SparseMatrix<double> loads;            ///< (dofs, m): those of all cracks
   std::vector<Eigen::Index> first_load;         ///< of each crack
@@ -32,9 +34,10 @@ struct DynamicBody {
 };
 
 /// Assembles what was formed. `scene` tells the loads; water in the cracks is not among them. `rock_moves`: the line of
-/// the foundation's near field is free, an attached medium holds it.
+/// the foundation's near field is free, an attached medium holds it. `earlier`: the loads of the body before it grew.
 [[nodiscard]] DynamicBody dynamic_body(const scene::Scene& scene, Body body, sbfem::Formation formation,
-                                       bool rock_moves, numerics::ThreadPool& pool);
+                                       bool rock_moves, numerics::ThreadPool& pool,
+                                       const std::optional<EarlierLoads>& earlier = {});
 
 /// The condensed answer of the body to forces between its faces: `X` (dofs, m) [m²/N] of `loads`, `added_mass` (cracks,
 /// m) what a unit force adds to each mouth's pressure.

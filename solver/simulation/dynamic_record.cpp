@@ -100,6 +100,7 @@ void DynamicRecord::add(const StepRecord& step, const Energies& energies) {
   crest_high_ = std::fmax(crest_high_, moved);
   begun_ = true;
   peak_force_ = std::fmax(peak_force_, std::abs(step.hydrodynamic_force));
+  face_residual_ = std::fmax(face_residual_, step.face_residual);
   for (std::size_t i = 0; i < step.cracks.size(); ++i) {
     widest_mouth_[i] = std::fmax(widest_mouth_[i], step.cracks[i].mouth_opening);
     penetration_ = std::fmax(penetration_, step.cracks[i].penetration);
@@ -110,7 +111,8 @@ void DynamicRecord::add(const StepRecord& step, const Energies& energies) {
   }
 }
 
-void DynamicRecord::read_rows(std::span<const double> rows) {
+void DynamicRecord::read_rows(std::span<const double> rows, double largest_face_residual) {
+  face_residual_ = largest_face_residual;
   const std::size_t width = history_.columns().size();
   for (; rows.size() >= width; rows = rows.subspan(width)) {
     std::size_t next = 0;
@@ -118,9 +120,25 @@ void DynamicRecord::read_rows(std::span<const double> rows) {
     Energies energies;
     for (double* value : {&step.time, &step.crest.x(), &step.crest.y()}) *value = rows[next++];
     if (parts_.media) step.hydrodynamic_force = rows[next++];
+    step.cracks.resize(parts_.cracks);
+    for (CrackRecord& crack : step.cracks) {
+      for (double* value : {&crack.mouth_opening, &crack.K_I, &crack.K_II}) *value = rows[next++];
+      if (parts_.propagation) crack.length = rows[next++];
+      if (parts_.water) {
+        for (double* value : {&crack.mouth_pressure, &crack.uplift_force, &crack.peak_pressure, &crack.wet_length,
+                              &crack.water_content})
+          *value = rows[next++];
+      }
+      if (parts_.contact) crack.contact_force = rows[next++];
+      crack.penetration = rows[next++];
+    }
     for (double* value : {&energies.kinetic, &energies.strain, &energies.damped, &energies.input, &energies.load})
       *value = rows[next++];
     if (parts_.media) energies.radiated = rows[next++];
+    if (parts_.contact) energies.contact = rows[next++];
+    if (parts_.water) energies.water = rows[next++];
+    if (parts_.propagation) energies.growth = rows[next++];
+    if (parts_.contact || parts_.water) step.face_iterations = static_cast<int>(rows[next++]);
     add(step, energies);
   }
 }
@@ -135,6 +153,7 @@ void DynamicRecord::write(Quantity& quantities) const {
   if (parts_.cracks == 0) return;
   quantities["max_crack_mouth_opening"] = one_or_list(widest_mouth_);
   quantities["max_penetration"] = penetration_;
+  quantities["max_face_residual"] = face_residual_;
   quantities["max_K_I"] = one_or_list(highest_K_I_);
   quantities["max_K_I_time"] = one_or_list(highest_K_I_time_);
 }

@@ -33,6 +33,7 @@ struct StepRecord {
   double hydrodynamic_force = 0.0;  ///< on the body, horizontal [N/m]
   std::vector<CrackRecord> cracks;
   int face_iterations = 0;
+  double face_residual = 0.0;  ///< of the faces' equations, over their bounds: at most 1 in a step that was accepted
 };
 
 /// Which parts the scene has: a part that is absent has no columns.
@@ -49,8 +50,10 @@ class DynamicRecord {
   /// Peaks over all steps so far, by the names that scenes define.
   void write(results::Quantity& quantities) const;
   const results::History& history() const { return history_; }
-  /// Goes on after the rows that another record of the same run, without cracks, had in its history.
-  void read_rows(std::span<const double> rows);
+  /// Goes on after the rows that another record of the same run had in its history, and its largest residual, which is
+  /// in none.
+  void read_rows(std::span<const double> rows, double largest_face_residual);
+  double largest_face_residual() const { return face_residual_; }
   results::History take_history() { return std::move(history_); }
 
  private:
@@ -58,7 +61,7 @@ class DynamicRecord {
   results::History history_;
   std::vector<double> row_;
   double peak_crest_ = 0.0, peak_crest_time_ = 0.0, crest_low_ = 0.0, crest_high_ = 0.0, peak_force_ = 0.0,
-         penetration_ = 0.0;
+         penetration_ = 0.0, face_residual_ = 0.0;
   double rest_crest_ = 0.0;
   std::vector<double> widest_mouth_, highest_K_I_, highest_K_I_time_;
   bool begun_ = false;

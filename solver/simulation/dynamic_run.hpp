@@ -9,6 +9,7 @@
 
 #include "solver/fracture/propagation.hpp"
 #include "solver/results/run_summary.hpp"
+#include "solver/simulation/checkpoint.hpp"
 #include "solver/simulation/dynamic_options.hpp"
 #include "solver/simulation/dynamic_record.hpp"
 #include "solver/simulation/dynamic_step.hpp"
@@ -33,9 +34,14 @@ class DynamicRun {
   bool step(long long number);
   bool grow_cracks();
   bool grow_tip(std::size_t crack, const mesh::Point& to);
+  bool take_body(Growth growth, DynamicBody& before);
 
   void make_step(const FaceMemory& memory);
-  StepRecord observe() const;
+  /// The part of the scene that asked for the equations between the faces: contact before water before the crack.
+  const char* face_part() const { return scene_.contact ? "contact" : scene_.crack_water ? "crackwater" : "crack"; }
+  void charge_faces();
+  void charge_parts();
+  void observe(StepRecord& record) const;
   CrackRecord observe_crack(std::size_t crack, Eigen::Index first_pair) const;
   FaceMemory remembered(const DynamicBody& before) const;
   bool held_closed(std::size_t crack) const;
@@ -46,6 +52,10 @@ class DynamicRun {
   void note_felt();
   void keep();
   void go_on();
+  Eigen::VectorXd laws() const;
+  CrackMemory crack_memory() const;
+  void go_on_with_cracks(const CrackMemory& kept);
+  [[noreturn]] void refuse_checkpoint(const std::string& fault) const;
 
   void note_event(std::size_t crack, const std::string& what, const mesh::Point& place);
   results::Quantity profile_of(std::size_t crack, Eigen::Index first_pair) const;
@@ -80,6 +90,7 @@ class DynamicRun {
   std::vector<fracture::SpeedAllowance> allowances_;
   std::vector<double> felt_;  // by the media in all steps, where checkpoints are wanted
   std::string identity_;      // likewise
+  std::vector<GrownTip> grown_;
 
   // what is remembered
   EnergyAccount energy_;

@@ -10,18 +10,26 @@ std::vector<const AttachedMedium*> constant(std::span<AttachedMedium* const> med
   return {media.begin(), media.end()};
 }
 
-/// What a unit of each force adds to the pressures at the mouths: weights · W_0 · a, a = X's acceleration of the
-/// medium's dofs.
-Eigen::MatrixXd mouth_answer(const Eigen::MatrixXd& X, double acceleration_factor,
-                             std::span<AttachedMedium* const> media, std::span<const Mouth> mouths) {
-  Eigen::MatrixXd answer = Eigen::MatrixXd::Zero(std::ssize(mouths), X.cols());
+/// weights · W_0 of each mouth: the pressure there for the accelerations of its medium's dofs; empty where no medium
+/// reaches it.
+std::vector<Eigen::RowVectorXd> mouth_rows(std::span<AttachedMedium* const> media, std::span<const Mouth> mouths) {
+  std::vector<Eigen::RowVectorXd> rows(mouths.size());
   for (std::size_t c = 0; c < mouths.size(); ++c) {
     if (!mouths[c].wet || mouths[c].weights.size() == 0) continue;
-    const AttachedMedium& medium = *media[mouths[c].medium];
-    const Eigen::RowVectorXd of_acceleration = mouths[c].weights.transpose() * medium.convolution->instantaneous_mass();
-    for (std::size_t i = 0; i < medium.dofs.size(); ++i) {
-      answer.row(static_cast<Index>(c)) +=
-          acceleration_factor * of_acceleration[static_cast<Index>(i)] * X.row(medium.dofs[i]);
+    rows[c] = mouths[c].weights.transpose() * media[mouths[c].medium]->convolution->instantaneous_mass();
+  }
+  return rows;
+}
+
+/// What a unit of each force adds to the pressures at the mouths, through X's acceleration of the medium's dofs.
+Eigen::MatrixXd mouth_answer(const Eigen::MatrixXd& X, double acceleration_factor,
+                             std::span<AttachedMedium* const> media, std::span<const Mouth> mouths,
+                             std::span<const Eigen::RowVectorXd> of_acceleration) {
+  Eigen::MatrixXd answer = Eigen::MatrixXd::Zero(std::ssize(mouths), X.cols());
+  for (std::size_t c = 0; c < mouths.size(); ++c) {
+    for (Index i = 0; i < of_acceleration[c].size(); ++i) {
+      const int dof = media[mouths[c].medium]->dofs[static_cast<std::size_t>(i)];
+      answer.row(static_cast<Index>(c)) += acceleration_factor * of_acceleration[c][i] * X.row(dof);
     }
   }
   return answer;
@@ -40,18 +48,16 @@ DynamicStep::DynamicStep(const DynamicBody& body, std::span<AttachedMedium* cons
   const Index dofs = body.body.dofs();
   for (VectorXd* values : {&d_, &trial_.displacement, &trial_.velocity, &trial_.acceleration, &start_.force})
     values->setZero(dofs);
+  equations_.stand_at(state);
   if (!body.cracked() || equations_.status() != numerics::FactorStatus::factorised) return;
   X_ = equations_.answer(body.loads);
-  faces_ = std::make_unique<faces::FaceStep>(
-      face_structure(body, X_, mouth_answer(X_, equations_.acceleration_factor(), media, mouths), waters),
-      face_options);
+  of_acceleration_ = mouth_rows(media, mouths);
+  Eigen::MatrixXd mouth = mouth_answer(X_, equations_.acceleration_factor(), media, mouths, of_acceleration_);
+  faces_ = std::make_unique<faces::FaceStep>(face_structure(body, X_, std::move(mouth), waters), face_options);
   faces_->begin_with(memory.opening, memory.contact, memory.stiffness);
   motion_.setZero(body.loads.cols());
   before_motion_ = body.loads.transpose() * state.displacement;
   mouth_pressure_.setZero(std::ssize(mouths));
-  Index largest = 0;
-  for (const AttachedMedium* medium : media_) largest = std::max<Index>(largest, std::ssize(medium->dofs));
-  force_of_medium_.setZero(largest);
 }
 
 bool DynamicStep::solve(const MotionState& state, const StepLoad& start, const StepLoad& end, MotionState& next) {
@@ -69,16 +75,19 @@ bool DynamicStep::solve(const MotionState& state, const StepLoad& start, const S
     const Mouth& mouth = mouths_[c];
     double pressure = mouth.wet ? mouth.resting : 0.0;
     if (mouth.wet && mouth.weights.size() > 0) {
-      const AttachedMedium& medium = *media_[mouth.medium];
-      auto force = force_of_medium_.head(mouth.weights.size());
-      for (std::size_t i = 0; i < medium.dofs.size(); ++i)
-        force[static_cast<Index>(i)] = trial_.acceleration[medium.dofs[i]];
       pressure += mouth.weights.dot(equations_.medium_history(mouth.medium));
-      pressure += mouth.weights.dot(medium.convolution->instantaneous_mass() * force);
+      for (Index i = 0; i < of_acceleration_[c].size(); ++i) {
+        const int dof = media_[mouth.medium]->dofs[static_cast<std::size_t>(i)];
+        pressure += of_acceleration_[c][i] * trial_.acceleration[dof];
+      }
     }
     mouth_pressure_[static_cast<Index>(c)] = pressure;
   }
-  const faces::FaceStepResult& result = faces_->solve(motion_, mouth_pressure_, equations_.options().time_step);
+  {
+    const numerics::Meter::Lap lap(face_work_);
+    (void)faces_->solve(motion_, mouth_pressure_, equations_.options().time_step);
+  }
+  const faces::FaceStepResult& result = faces_->result();
   d_.noalias() += X_ * result.force;
   equations_.advance(state, d_, next);
   return result.status == faces::FaceStatus::solved;
@@ -111,6 +120,12 @@ FaceWork DynamicStep::accept(const MotionState& next, const Eigen::Vector2d& gro
   memory_.stiffness = result.stiffness;
   before_motion_ = result.motion;
   return work;
+}
+
+void DynamicStep::go_on(const StepMemory& memory) {
+  memory_ = memory.faces;
+  before_motion_ = memory.motion;
+  faces_->go_on(memory.solve);
 }
 
 VectorXd DynamicStep::unbalanced(const MotionState& state, const StepLoad& load) const {

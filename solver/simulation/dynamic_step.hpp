@@ -25,6 +25,13 @@ struct FaceMemory {
   double stiffness = 0.0;   ///< of the penalty [N/m³]
 };
 
+/// What one step leaves for the next, beside the motion, the media and the water.
+struct StepMemory {
+  FaceMemory faces;
+  Eigen::VectorXd motion;  ///< (m) [m] conjugate to the forces
+  faces::FaceStepMemory solve;
+};
+
 class DynamicStep {
  public:
   /// Begins at `state`. `body`, `media`, `mouths` and `waters` must outlive the step.
@@ -46,6 +53,12 @@ class DynamicStep {
   /// nullptr without cracks.
   const faces::FaceStep* faces() const { return faces_.get(); }
   const FaceMemory& memory() const { return memory_; }
+  const numerics::Meter& face_work() const { return face_work_; }  ///< of the faces' equations, their water included
+
+  /// Of a step with cracks.
+  StepMemory step_memory() const { return {.faces = memory_, .motion = before_motion_, .solve = faces_->memory()}; }
+  /// Goes on as the step of the same body that `memory` is of.
+  void go_on(const StepMemory& memory);
 
   /// What is out of balance at `state`: M a + C v + K u + ΣR - f - L y (dofs) [N/m]. After a growth event, the force
   /// that had held the new faces together.
@@ -61,7 +74,9 @@ class DynamicStep {
   FaceMemory memory_;
   StepLoad start_;
   MotionState trial_;
-  Eigen::VectorXd d_, motion_, before_motion_, mouth_pressure_, force_of_medium_;
+  numerics::Meter face_work_;
+  Eigen::VectorXd d_, motion_, before_motion_, mouth_pressure_;
+  std::vector<Eigen::RowVectorXd> of_acceleration_;  // pressure at each mouth of a unit acceleration of its medium
 };
 
 }  // namespace sunder::simulation

@@ -43,7 +43,7 @@ struct EnergyMemory {
 
 class EnergyAccount {
  public:
-  /// Begins with the stored energy of `state`.
+  /// Begins with the stored energy of `state`, where the equations stand, here and below.
   void begin(const StepEquations& equations, const MotionState& state);
 
   /// One step from `from` to `to` under the loads `start` and `end` (weights and standing water only). `equations`
@@ -66,11 +66,10 @@ class EnergyAccount {
   double balance_error() const { return memory_.largest > 0.0 ? memory_.worst_error / memory_.largest : 0.0; }
 
  private:
-  void begin_with(const StepEquations& equations, const MotionState& state);
   void measure(const StepEquations& equations, const MotionState& state);
 
   EnergyMemory memory_;
-  Eigen::VectorXd Ku_, Mv_, Ku_before_, Mv_before_, moved_;
+  Eigen::VectorXd moved_;
 };
 
 }  // namespace sunder::simulation

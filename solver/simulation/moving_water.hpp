@@ -14,6 +14,7 @@
 #include "solver/crackwater/pressure_tangent.hpp"
 #include "solver/faces/face_water.hpp"
 #include "solver/mesh/nodal_mesh.hpp"
+#include "solver/numerics/meter.hpp"
 
 namespace sunder::simulation {
 
@@ -53,10 +54,14 @@ class MovingWater final : public faces::FaceWater {
   /// The crack has grown: its water stays where it is, the new part is dry.
   void grow(WaterNodes nodes, Eigen::Index pairs, std::span<const double> openings);
 
+  crackwater::MarchMemory memory() const { return march_.memory(); }
+  void go_on(const crackwater::MarchMemory& memory) { march_.go_on(memory); }
+
   const WaterNodes& nodes() const { return nodes_; }
   const crackwater::MarchState& state() const { return march_.state(); }
   const crackwater::PressureProfile& profile() const { return march_.profile(); }  ///< of the last trial
   const std::vector<double>& apertures() const { return apertures_; }              ///< (nodes) [m], of the last trial
+  const numerics::Meter& work() const { return work_; }                            ///< of all trials
 
  private:
   void place(std::span<const double> openings);
@@ -69,6 +74,7 @@ class MovingWater final : public faces::FaceWater {
   crackwater::FillingMarch march_;
   crackwater::PressureTangent tangent_;
   Eigen::MatrixXd by_opening_;  // (nodes, pairs) of the pressures
+  numerics::Meter work_;
 };
 
 }  // namespace sunder::simulation

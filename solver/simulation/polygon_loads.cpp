@@ -22,15 +22,17 @@ double resting_energy(const std::vector<sbfem::RadialLoad>& loads,
 }
 
 PolygonShare share_of(const std::vector<sbfem::RadialLoad>& loads, const sbfem::Boundary& boundary,
-                      const material::Isotropic& material, const sbfem::Formation::ConstMap& stiffness) {
+                      const material::Isotropic& material, const sbfem::Formation::ConstMap& stiffness,
+                      LoadDetail detail) {
   const sbfem::Coefficients coefficients = sbfem::coefficients(boundary, material);
   const sbfem::PolygonSolution solution = sbfem::solution_of_stiffness(coefficients, stiffness);
-  const std::vector<sbfem::ParticularSolution> particular = sbfem::particular_solutions(coefficients, solution, loads);
   PolygonShare share;
   std::vector<Eigen::VectorXd> nodal;
   for (const sbfem::RadialLoad& load : loads) nodal.push_back(sbfem::load_vector(solution, load));
   share.force = nodal.front();
   for (std::size_t l = 1; l < nodal.size(); ++l) share.force += nodal[l];
+  if (detail == LoadDetail::forces) return share;
+  const std::vector<sbfem::ParticularSolution> particular = sbfem::particular_solutions(coefficients, solution, loads);
   share.energy = resting_energy(loads, particular, nodal);
   for (const sbfem::ParticularSolution& field : particular) share.residual = std::max(share.residual, field.residual);
   return share;
@@ -58,7 +60,8 @@ std::vector<sbfem::RadialLoad> polygon_loads(const scene::Scene& scene, const Bo
 }
 
 InteriorLoads interior_loads(const scene::Scene& scene, const Body& body, const sbfem::Formation& formation,
-                             numerics::ThreadPool& pool, const std::optional<EarlierLoads>& earlier) {
+                             numerics::ThreadPool& pool, const std::optional<EarlierLoads>& earlier,
+                             LoadDetail detail) {
   InteriorLoads sum{.force = Eigen::VectorXd::Zero(body.dofs()),
                     .shares = std::vector<PolygonShare>(static_cast<std::size_t>(body.nodes.polygon_count()))};
   std::vector<int> loaded;
@@ -77,8 +80,8 @@ InteriorLoads interior_loads(const scene::Scene& scene, const Body& body, const 
     const sbfem::Boundary boundary = sbfem::boundary_of(body.nodes, index);
     const std::vector<sbfem::RadialLoad> loads = polygon_loads(scene, body, index, boundary);
     if (loads.empty()) return;
-    sum.shares[static_cast<std::size_t>(index)] =
-        share_of(loads, boundary, body.materials[body.nodes.polygon(index).material], formation.stiffness(index));
+    sum.shares[static_cast<std::size_t>(index)] = share_of(
+        loads, boundary, body.materials[body.nodes.polygon(index).material], formation.stiffness(index), detail);
   });
   // In the order of the polygons: the same bits for any thread count.
   for (int i = 0; i < body.nodes.polygon_count(); ++i) {

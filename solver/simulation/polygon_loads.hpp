@@ -41,9 +41,15 @@ struct EarlierLoads {
   std::span<const int> same;
 };
 
+enum class LoadDetail {
+  forces,  ///< no energies and residuals: they ask for the fields inside the polygons
+  with_energies,
+};
+
 /// Only polygons that carry a load are touched. `formation`: of the body's polygons.
 [[nodiscard]] InteriorLoads interior_loads(const scene::Scene& scene, const Body& body,
                                            const sbfem::Formation& formation, numerics::ThreadPool& pool,
-                                           const std::optional<EarlierLoads>& earlier = {});
+                                           const std::optional<EarlierLoads>& earlier = {},
+                                           LoadDetail detail = LoadDetail::with_energies);
 
 }  // namespace sunder::simulation

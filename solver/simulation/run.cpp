@@ -5,6 +5,7 @@
 #include "solver/scene/scene_error.hpp"
 #include "solver/simulation/analyses.hpp"
 #include "solver/simulation/body.hpp"
+#include "solver/simulation/built_parts.hpp"
 #include "solver/simulation/field_snapshot.hpp"
 
 namespace sunder::simulation {
@@ -48,6 +49,7 @@ void require_place_for_checkpoints(const scene::Scene& scene, const RunOptions& 
 }  // namespace
 
 results::RunSummary run(const scene::Scene& scene, const RunOptions& options) {
+  refuse_absent_parts(scene);
   numerics::ThreadPool pool(options.threads);
   require_place_for_checkpoints(scene, options);
   Ledger ledger;

@@ -7,8 +7,12 @@
 #include "solver/crackwater/filling_march.hpp"
 #include "solver/scene/scene_error.hpp"
 #include "solver/simulation/analyses.hpp"
+#include "solver/simulation/built_parts.hpp"
 
 namespace sunder::simulation {
+
+const bool built::crackwater = true;
+
 namespace {
 
 constexpr double gravity = 9.81;  // m/s², of heads in metres of water

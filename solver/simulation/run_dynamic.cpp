@@ -4,7 +4,6 @@
 #include <cstdio>
 
 #include "solver/simulation/analyses.hpp"
-#include "solver/simulation/checkpoint.hpp"
 #include "solver/simulation/dynamic_run.hpp"
 #include "solver/simulation/static_start.hpp"
 
@@ -30,12 +29,31 @@ std::string DynamicRun::time_text() const {
 
 void DynamicRun::make_step(const FaceMemory& memory) {
   Ledger::Visit visit(ledger_, "numerics", "factorisation");
+  charge_faces();
   const std::vector<VectorXd> forces = step_ ? step_->equations().medium_forces() : std::vector<VectorXd>();
   step_ = std::make_unique<DynamicStep>(body_, around_->media(), mouths_, waters_, step_options_, face_options_, memory,
                                         state_);
   if (!forces.empty()) step_->equations().begin_with(forces);
   ledger_.count("factorisations");
   if (step_->status() == numerics::FactorStatus::factorised) visit.add_entries(step_->equations().factor_entries());
+}
+
+/// Moves what the faces cost since their equations were made to the part that asked for them.
+void DynamicRun::charge_faces() {
+  if (step_) ledger_.move("dynamics", face_part(), step_->face_work());
+}
+
+/// Moves what each step cost outside the body to the parts that did it.
+void DynamicRun::charge_parts() {
+  charge_faces();
+  for (const auto& water : waters_) {
+    if (const auto* moving = dynamic_cast<const MovingWater*>(water.get())) {
+      ledger_.move(face_part(), "crackwater", moving->work());
+    }
+  }
+  for (const AttachedMedium* medium : around_->constant_media()) {
+    ledger_.move("dynamics", medium->worker, medium->work);
+  }
 }
 
 bool DynamicRun::begin() {
@@ -109,21 +127,24 @@ CrackRecord DynamicRun::observe_crack(std::size_t crack, Index first_pair) const
   return record;
 }
 
-StepRecord DynamicRun::observe() const {
-  StepRecord record;
+/// Overwrites the record; its memory is used again.
+void DynamicRun::observe(StepRecord& record) const {
   record.time = state_.time;
   record.crest = state_.displacement.segment<2>(2 * crest_);
+  record.hydrodynamic_force = 0.0;
   for (std::size_t m = 0; m < around_->media().size(); ++m) {
     const AttachedMedium& medium = *around_->media()[m];
     if (medium.name == "reservoir") record.hydrodynamic_force = -step_->equations().medium_forces()[m].sum();
   }
+  record.cracks.clear();
   Index pair = 0;
   for (std::size_t c = 0; c < body_.cracks.size(); ++c) {
     record.cracks.push_back(observe_crack(c, pair));
     pair += body_.cracks[c].pairs.count();
   }
-  record.face_iterations = step_->faces() != nullptr ? step_->faces()->result().iterations : 0;
-  return record;
+  const bool stepped = step_->faces() != nullptr && number_ > 0;
+  record.face_iterations = stepped ? step_->faces()->result().iterations : 0;
+  record.face_residual = stepped ? step_->faces()->result().residual : 0.0;
 }
 
 bool DynamicRun::step(long long number) {
@@ -160,6 +181,9 @@ void DynamicRun::finish() {
   record_->write(found);
   found["energy_balance_error"] = energy_.balance_error();
   found["end_time"] = state_.time;
+  for (const AttachedMedium* medium : around_->media()) {
+    if (medium->memory_error) found[medium->name + "_memory_error"] = *medium->memory_error;
+  }
   if (!end_event_.empty()) found["end"] = end_event_ + " at " + time_text();
   if (scene_.propagation) {
     results::Quantity::List lengths, paths;
@@ -190,10 +214,11 @@ void DynamicRun::go() {
                                                           .water = scene_.crack_water.has_value(),
                                                           .propagation = scene_.propagation.has_value()},
                                             static_cast<std::size_t>(steps));
+  if (has_checkpoints()) identity_ = identity();  // of the body before it grows
   if (options_.resume) {
     go_on();
   } else {
-    now_ = observe();
+    observe(now_);
     record_->add(now_, energy_.energies());
     write_fields();
   }
@@ -206,18 +231,19 @@ void DynamicRun::go() {
         break;
       }
       if (!step(number)) break;
-      now_ = observe();
+      observe(now_);
       record_->add(now_, energy_.energies());
       note_profiles();
       write_fields();
       ledger_.count("steps");
-      if (wants_checkpoint(number)) keep();
       if (scene_.propagation && number < steps && !grow_cracks()) break;
       if (!end_event_.empty()) break;
+      if (wants_checkpoint(number)) keep();
       if (options_.progress && number % 16 == 0)
         options_.progress("steps", static_cast<double>(number) / static_cast<double>(steps));
     }
   }
+  charge_parts();
   if (has_checkpoints() && summary_.completed()) std::filesystem::remove(checkpoint_file(options_.output));
   finish();
 }

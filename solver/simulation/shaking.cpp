@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 
+#include "solver/numerics/planted_fault.hpp"
 #include "solver/scene/scene_error.hpp"
 
 namespace sunder::simulation {
@@ -27,9 +28,14 @@ dynamics::GroundMotion read(const scene::Scene& scene, const char* key, const fs
       refuse(scene, std::string(key) + ": lasts " + std::to_string(motion.end() - motion.start) +
                         " s, less than dynamics.time_step");
     }
-    return motion;
+    if (scene.ground_motion->baseline == scene::Baseline::none ||
+        numerics::planted_fault("dynamics/baseline-forgotten"))
+      return motion;
+    return dynamics::baseline_corrected(std::move(motion));
   } catch (const dynamics::RecordError& error) {
     refuse(scene, std::string(key) + ": " + error.what());
+  } catch (const std::invalid_argument& error) {
+    refuse(scene, "baseline: " + file.string() + ": " + error.what());
   }
 }
 

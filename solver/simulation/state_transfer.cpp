@@ -44,19 +44,22 @@ InSector in_sector(const Point& a, const Point& b, const Point& from_centre, dou
   return in;
 }
 
-/// The old body, searched by place.
+/// The polygons of the old body that are no more, searched by place: a new node lies in none of those that stay, or
+/// they would have changed.
 class OldBody {
  public:
-  OldBody(const Body& body, const sbfem::Formation& formation, const Eigen::Ref<const MatrixXd>& values)
+  OldBody(const Body& body, const sbfem::Formation& formation, const std::vector<char>& stays,
+          const Eigen::Ref<const MatrixXd>& values)
       : body_(body), formation_(formation), values_(values) {
     for (int i = 0; i < body.nodes.polygon_count(); ++i) {
+      if (stays[static_cast<std::size_t>(i)] != 0) continue;
       const mesh::NodalPolygon polygon = body.nodes.polygon(i);
       Point low = polygon.scaling_centre, high = low;
       for (const int node : polygon.nodes) {
         low = low.cwiseMin(body.nodes.coordinates().col(node));
         high = high.cwiseMax(body.nodes.coordinates().col(node));
       }
-      boxes_.push_back({low, high});
+      boxes_.push_back({.polygon = i, .low = low, .high = high});
     }
   }
 
@@ -68,6 +71,7 @@ class OldBody {
 
  private:
   struct Box {
+    int polygon = -1;
     Point low, high;
   };
   struct Place {
@@ -80,18 +84,16 @@ class OldBody {
   Place find(const Target& target) const {
     constexpr double touching = 1e-9;
     Place best;
-    for (int i = 0; i < static_cast<int>(boxes_.size()); ++i) {
-      const Box& box = boxes_[static_cast<std::size_t>(i)];
+    for (const Box& box : boxes_) {
       const double size = (box.high - box.low).maxCoeff(), reach = touching * size;
       if (((target.place - box.low).array() < -reach).any() || ((target.place - box.high).array() > reach).any())
         continue;
-      look_into(i, size, touching, target, best);
+      look_into(box.polygon, size, touching, target, best);
     }
     if (best.polygon >= 0) return best;
     // Round-off has put the node outside every polygon: the nearest takes it.
-    for (int i = 0; i < static_cast<int>(boxes_.size()); ++i) {
-      const Box& box = boxes_[static_cast<std::size_t>(i)];
-      look_into(i, (box.high - box.low).maxCoeff(), std::numeric_limits<double>::infinity(), target, best);
+    for (const Box& box : boxes_) {
+      look_into(box.polygon, (box.high - box.low).maxCoeff(), std::numeric_limits<double>::infinity(), target, best);
     }
     return best;
   }
@@ -142,7 +144,7 @@ class OldBody {
 };
 
 /// For each new node the old node at its place, -1 where there is none.
-std::vector<int> kept_nodes(const Body& before, const Body& after, const std::vector<int>& same,
+std::vector<int> kept_nodes(const Body& before, const Body& after, std::span<const int> same,
                             const crack::CutReport& report) {
   std::vector<int> from(static_cast<std::size_t>(after.nodes.node_count()), -1);
   std::copy(report.vertex_from.begin(), report.vertex_from.end(), from.begin());
@@ -205,16 +207,24 @@ Eigen::VectorXd energies(const Body& body, const sbfem::Formation& formation, Ma
   return sum;
 }
 
+/// 1 for each of `count` polygons that `same` names.
+std::vector<char> named_by(std::span<const int> same, int count) {
+  std::vector<char> named(static_cast<std::size_t>(count), 0);
+  for (const int polygon : same) {
+    if (polygon >= 0) named[static_cast<std::size_t>(polygon)] = 1;
+  }
+  return named;
+}
+
 }  // namespace
 
 TransferredFields transfer_fields(const Body& before, const sbfem::Formation& earlier, const Body& after,
-                                  const sbfem::Formation& formation, const crack::CutReport& report,
+                                  std::span<const int> same, const crack::CutReport& report,
                                   const Eigen::Ref<const MatrixXd>& values) {
   if (values.rows() != before.dofs()) {
     throw std::invalid_argument("transfer_fields: values has " + std::to_string(values.rows()) + " rows, accepted is " +
                                 std::to_string(before.dofs()));
   }
-  const std::vector<int> same = sbfem::same_polygons(after.nodes, before.nodes, report.polygon_from);
   const std::vector<int> from = kept_nodes(before, after, same, report);
   TransferredFields result;
   result.values.resize(after.dofs(), values.cols());
@@ -222,28 +232,28 @@ TransferredFields transfer_fields(const Body& before, const sbfem::Formation& ea
     const int old = from[static_cast<std::size_t>(node)];
     if (old >= 0) result.values.middleRows<2>(2 * node) = values.middleRows<2>(2 * old);
   }
-  OldBody old_body(before, earlier, values);
+  OldBody old_body(before, earlier, named_by(same, before.nodes.polygon_count()), values);
   for (const Target& target : moved_nodes(after, from)) {
     result.values.middleRows<2>(2 * target.node) = old_body.at(target);
     ++result.interpolated_nodes;
   }
+  return result;
+}
 
-  // Polygons that are the same hold the same energy: the change is that of the others.
-  std::vector<char> stayed(static_cast<std::size_t>(after.nodes.polygon_count()), 0),
-      was_kept(static_cast<std::size_t>(before.nodes.polygon_count()), 0);
-  for (std::size_t i = 0; i < same.size(); ++i) {
-    if (same[i] < 0) continue;
-    stayed[i] = 1;
-    was_kept[static_cast<std::size_t>(same[i])] = 1;
-  }
+TransferredEnergies transferred_energies(const FieldsOnBody& before, const FieldsOnBody& after,
+                                         std::span<const int> same) {
+  std::vector<char> stayed(same.size());
+  std::ranges::transform(same, stayed.begin(), [](int polygon) { return polygon >= 0; });
+  const std::vector<char> was_kept = named_by(same, before.body.nodes.polygon_count());
   const auto change = [&](Matrix which) -> Eigen::VectorXd {
-    return energies(after, formation, which, stayed, result.values) -
-           energies(before, earlier, which, was_kept, values);
+    return energies(after.body, after.formation, which, stayed, after.values) -
+           energies(before.body, before.formation, which, was_kept, before.values);
   };
-  result.strain_energy = energies(before, earlier, Matrix::stiffness, {}, values);
+  TransferredEnergies result;
+  result.strain_energy = energies(before.body, before.formation, Matrix::stiffness, {}, before.values);
   result.strain_energy_change = change(Matrix::stiffness);
-  if (earlier.has_mass() && formation.has_mass()) {
-    result.kinetic_energy = energies(before, earlier, Matrix::mass, {}, values);
+  if (before.formation.has_mass() && after.formation.has_mass()) {
+    result.kinetic_energy = energies(before.body, before.formation, Matrix::mass, {}, before.values);
     result.kinetic_energy_change = change(Matrix::mass);
   }
   return result;

@@ -10,6 +10,7 @@
 /// it.
 
 #include <Eigen/Core>
+#include <span>
 
 #include "solver/crack/cut_options.hpp"
 #include "solver/sbfem/formation.hpp"
@@ -18,20 +19,34 @@
 namespace sunder::simulation {
 
 struct TransferredFields {
-  Eigen::MatrixXd values;                ///< (new dofs, m)
+  Eigen::MatrixXd values;  ///< (new dofs, m)
+  int interpolated_nodes = 0;
+};
+
+/// `values` (old dofs, m): any number of fields. `before`, `earlier` and `after` are the body, its formation, and the
+/// body after the growth that `report` describes; `same` is Growth::same. Only the polygons that have changed are
+/// searched. Throws std::invalid_argument where the number of rows is not that of the old body's degrees of freedom.
+[[nodiscard]] TransferredFields transfer_fields(const Body& before, const sbfem::Formation& earlier, const Body& after,
+                                                std::span<const int> same, const crack::CutReport& report,
+                                                const Eigen::Ref<const Eigen::MatrixXd>& values);
+
+/// A body, what is formed of it, and fields of its nodes (dofs, m).
+struct FieldsOnBody {
+  const Body& body;
+  const sbfem::Formation& formation;
+  const Eigen::Ref<const Eigen::MatrixXd>& values;
+};
+
+/// What a transfer does to the energies of each field; those of the polygons that stay are not even looked at.
+struct TransferredEnergies {
   Eigen::VectorXd strain_energy_change;  ///< (m) of ½ fᵀ K f, [J/m] where the column is a displacement [m]
   Eigen::VectorXd strain_energy;         ///< (m) ½ fᵀ K f before
   /// (m) of ½ fᵀ M f, [J/m] where the column is a velocity [m/s]; empty where the formations have no mass.
   Eigen::VectorXd kinetic_energy_change;
   Eigen::VectorXd kinetic_energy;  ///< (m) ½ fᵀ M f before
-  int interpolated_nodes = 0;
 };
 
-/// `values` (old dofs, m): any number of fields. `before`, `earlier` and `after`, `formation` are the body and its
-/// formation before and after the growth that `report` describes. Throws std::invalid_argument where the number of rows
-/// is not that of the old body's degrees of freedom.
-[[nodiscard]] TransferredFields transfer_fields(const Body& before, const sbfem::Formation& earlier, const Body& after,
-                                                const sbfem::Formation& formation, const crack::CutReport& report,
-                                                const Eigen::Ref<const Eigen::MatrixXd>& values);
+[[nodiscard]] TransferredEnergies transferred_energies(const FieldsOnBody& before, const FieldsOnBody& after,
+                                                       std::span<const int> same);
 
 }  // namespace sunder::simulation

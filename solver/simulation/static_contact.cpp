@@ -3,7 +3,12 @@
 #include <algorithm>
 #include <string>
 
+#include "solver/simulation/built_parts.hpp"
+
 namespace sunder::simulation {
+
+const bool built::contact = true;
+
 namespace {
 
 using results::Quantity;

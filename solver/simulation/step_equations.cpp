@@ -1,5 +1,8 @@
 #include "solver/simulation/step_equations.hpp"
 
+#include <cassert>
+#include <utility>
+
 #include "solver/numerics/planted_fault.hpp"
 
 namespace sunder::simulation {
@@ -65,14 +68,16 @@ StepEquations::StepEquations(const SparseMatrix& stiffness, const SparseMatrix& 
     for (Index dof = component; dof < dofs; dof += 2) direction[dof] = 1.0;
     ground_mass_.row(component) = (mass_.selfadjointView<Eigen::Lower>() * direction).transpose();
   }
-  for (VectorXd* values : {&d_, &with_mass_, &with_stiffness_, &velocity_part_, &right_, &of_mass_, &of_stiffness_})
-    values->setZero(dofs);
+  d_.setZero(dofs);
+  for (numerics::VectorPair* values :
+       {&with_stiffness_, &with_mass_, &now_.stiffness, &now_.mass, &before_.stiffness, &before_.mass})
+    values->setZero(4, dofs / 2);
   for (int dof = 0; dof < static_cast<int>(dofs); ++dof) {
     if (constraints.fixed[static_cast<std::size_t>(dof)]) held_.push_back(dof);
   }
   for (const AttachedMedium* medium : media_) {
     const Index n = std::ssize(medium->dofs);
-    for (std::vector<VectorXd>* list : {&histories_, &medium_forces_, &medium_work_})
+    for (std::vector<VectorXd>* list : {&histories_, &medium_forces_, &medium_work_, &medium_answer_})
       list->push_back(VectorXd::Zero(n));
   }
 }
@@ -112,10 +117,6 @@ double StepEquations::acceleration_factor() const {
   return 1.0 / (options_.scheme.beta * options_.time_step * options_.time_step);
 }
 
-double StepEquations::work_of_ground(const VectorXd& moved, const Eigen::Vector2d& ground) const {
-  return (ground_mass_ * moved).dot(ground);
-}
-
 double StepEquations::work_on_medium(std::size_t i, const VectorXd& moved, const VectorXd& before) const {
   double work = 0.0;
   for (std::size_t k = 0; k < media_[i]->dofs.size(); ++k) {
@@ -125,48 +126,76 @@ double StepEquations::work_on_medium(std::size_t i, const VectorXd& moved, const
   return work;
 }
 
-const VectorXd& StepEquations::trial(const MotionState& state, const StepLoad& start, const StepLoad& end) {
+void StepEquations::stand_at(const MotionState& state) {
   const auto [am, af, beta, gamma] = options_.scheme;
   const double dt = options_.time_step, alpha = options_.damping.of_mass, damping_beta = options_.damping.of_stiffness;
-  const VectorXd &v = state.velocity, &a = state.acceleration;
   // a' = d/(β Δt²) + a0,  v' = γ d/(β Δt) + v0:  what d leaves out
   const double of_v = -1.0 / (beta * dt), of_a = -(0.5 - beta) / beta;
   const double v0_of_v = 1.0 + gamma * dt * of_v, v0_of_a = dt * (1.0 - gamma) + gamma * dt * of_a;
-  velocity_part_ = ((1.0 - af) * v0_of_v + af) * v + ((1.0 - af) * v0_of_a) * a;
-  with_mass_ = ((1.0 - am) * of_v) * v + ((1.0 - am) * of_a + am) * a + alpha * velocity_part_;
+  const double w_of_v = (1.0 - af) * v0_of_v + af, w_of_a = (1.0 - af) * v0_of_a;
+  const double q_of_v = (1.0 - am) * of_v + alpha * w_of_v, q_of_a = (1.0 - am) * of_a + am + alpha * w_of_a;
+  const auto node_by_node = [](const VectorXd& values) {
+    return Eigen::Map<const Eigen::Matrix2Xd>(values.data(), 2, values.size() / 2);
+  };
+  const auto u = node_by_node(state.displacement), v = node_by_node(state.velocity),
+             a = node_by_node(state.acceleration);
+  for (Index node = 0; node < u.cols(); ++node) {
+    with_stiffness_.col(node).head<2>() = u.col(node);
+    // prescribed displacements act through K like all others
+    with_stiffness_.col(node).tail<2>() =
+        u.col(node) + (damping_beta * w_of_v) * v.col(node) + (damping_beta * w_of_a) * a.col(node);
+    with_mass_.col(node).head<2>() = v.col(node);
+    with_mass_.col(node).tail<2>() = q_of_v * v.col(node) + q_of_a * a.col(node);
+  }
+  std::swap(now_, before_);
+  products_.multiply(with_stiffness_, with_mass_, now_.stiffness, now_.mass);
+}
+
+bool StepEquations::stands_at(const MotionState& state) const {
+  return with_stiffness_.topRows<2>() == state.displacement.reshaped(2, state.displacement.size() / 2) &&
+         with_mass_.topRows<2>() == state.velocity.reshaped(2, state.velocity.size() / 2);
+}
+
+const VectorXd& StepEquations::trial(const MotionState& state, const StepLoad& start, const StepLoad& end) {
+  assert(stands_at(state));
+  const auto [am, af, beta, gamma] = options_.scheme;
+  const double of_v = -1.0 / (beta * options_.time_step), of_a = -(0.5 - beta) / beta;  // of a', without d
+  const VectorXd &v = state.velocity, &a = state.acceleration;
   const double ground_sign = numerics::planted_fault("simulation/inertia-load-sign") ? -1.0 : 1.0;
-  // K (u + β w): prescribed displacements act through K like all others
-  with_stiffness_ = state.displacement + damping_beta * velocity_part_;
-  right_ = (1.0 - af) * end.force + af * start.force;
   const Eigen::Vector2d ground = ground_sign * ((1.0 - af) * end.ground + af * start.ground);
-  right_.noalias() -= ground_mass_.transpose() * ground;
-  products_.multiply(with_stiffness_, with_mass_, of_stiffness_, of_mass_);
-  right_ -= of_stiffness_ + of_mass_;
+  d_ = (1.0 - af) * end.force + af * start.force;
+  for (Index node = 0; node < now_.mass.cols(); ++node) {
+    d_.segment<2>(2 * node) -= ground_mass_.middleCols<2>(2 * node).transpose() * ground +
+                               now_.stiffness.col(node).tail<2>() + now_.mass.col(node).tail<2>();
+  }
   for (std::size_t m = 0; m < media_.size(); ++m) {
     const AttachedMedium& medium = *media_[m];
     VectorXd& history = histories_[m];
     VectorXd& known = medium_work_[m];
-    medium.convolution->history_force(history);
-    // the part of the total acceleration that is known beforehand: the ground's
-    for (std::size_t i = 0; i < medium.dofs.size(); ++i) {
-      known[static_cast<Index>(i)] = medium.driven_by == DrivenBy::total ? end.ground[medium.dofs[i] % 2] : 0.0;
+    {
+      const numerics::Meter::Lap lap(medium.work);
+      medium.convolution->history_force(history);
     }
-    history.noalias() += medium.convolution->instantaneous_mass() * known;
+    const Eigen::MatrixXd& W = medium.convolution->instantaneous_mass();
+    if (medium.driven_by == DrivenBy::total) {  // the part of its acceleration that is known beforehand: the ground's
+      for (std::size_t i = 0; i < medium.dofs.size(); ++i)
+        known[static_cast<Index>(i)] = end.ground[medium.dofs[i] % 2];
+      history.noalias() += W * known;
+    }
     for (std::size_t i = 0; i < medium.dofs.size(); ++i) {
       const int dof = medium.dofs[i];
       known[static_cast<Index>(i)] = numerics::planted_fault("simulation/instantaneous-mass-on-load-side")
                                          ? a[dof]
                                          : of_v * v[dof] + of_a * a[dof];
     }
-    const VectorXd& force = medium_forces_[m];
+    VectorXd& answer = medium_answer_[m];
+    answer.noalias() = W * known;
     for (std::size_t i = 0; i < medium.dofs.size(); ++i) {
       const auto row = static_cast<Index>(i);
-      const double now = history[row] + medium.convolution->instantaneous_mass().row(row).dot(known);
-      right_[medium.dofs[i]] -= (1.0 - af) * now + af * force[row];
+      d_[medium.dofs[i]] -= (1.0 - af) * (history[row] + answer[row]) + af * medium_forces_[m][row];
     }
   }
-  hold(right_);
-  d_ = right_;
+  hold(d_);
   factor_.solve_in_place(d_);
   return d_;
 }
@@ -193,8 +222,10 @@ void StepEquations::accept(const MotionState& next, const Eigen::Vector2d& groun
     if (medium.driven_by == DrivenBy::total) {
       for (std::size_t i = 0; i < medium.dofs.size(); ++i) felt[static_cast<Index>(i)] += ground[medium.dofs[i] % 2];
     }
+    const numerics::Meter::Lap lap(medium.work);
     medium.convolution->append(felt);
   }
+  stand_at(next);
 }
 
 }  // namespace sunder::simulation

@@ -39,6 +39,12 @@ struct StepLoad {
   Eigen::Vector2d ground = Eigen::Vector2d::Zero();  ///< [m/s²]; the inertia -M r a_g is added by the step
 };
 
+/// Of the motion at a step's end, all the products that the step after it and the energy account need.
+struct MotionProducts {
+  numerics::VectorPair stiffness;  ///< K u and K (u + β w), w: what the velocity is without d [N/m]
+  numerics::VectorPair mass;       ///< M v and M q, q: all that the mass acts on without d [kg/s], [N/m]
+};
+
 class StepEquations {
  public:
   /// `stiffness`, `mass`: lower triangles (dofs, dofs). The media must outlive the equations and have the weights of
@@ -54,9 +60,13 @@ class StepEquations {
   /// What constant unit forces at the end of a step, the columns of `loads` (dofs, m), add to d: X (dofs, m) [m²/N].
   Eigen::MatrixXd answer(const Eigen::SparseMatrix<double>& loads) const;
 
+  /// The next step begins at `state`: a new run, or one whose motion was changed between two steps. Allocates nothing
+  /// after the first call.
+  void stand_at(const MotionState& state);
+
   /// d (dofs) without what the forces between crack faces at the end of the step add. `start` and `end` hold the loads
-  /// at both ends; `start.force` includes the forces between crack faces there. The histories of the media must be
-  /// those of the coming step. Allocates nothing.
+  /// at both ends; `start.force` includes the forces between crack faces there. `state` is where the equations stand;
+  /// the histories of the media must be those of the coming step. Allocates nothing.
   const Eigen::VectorXd& trial(const MotionState& state, const StepLoad& start, const StepLoad& end);
 
   /// Velocity and acceleration at the end of a step with the change d, and the time. `next` may not be `state`.
@@ -69,7 +79,8 @@ class StepEquations {
   /// d a / d d: the acceleration that a unit of d adds [1/s²].
   double acceleration_factor() const;
 
-  /// Ends the step: the media take the accelerations; their forces R at its end become those of the next start.
+  /// Ends the step and stands at its end: the media take the accelerations; their forces R at its end become those of
+  /// the next start.
   void accept(const MotionState& next, const Eigen::Vector2d& ground, std::span<AttachedMedium* const> media);
 
   /// Σ W_j a_{n-j}, j >= 1, plus W_0 times the ground's share, of the coming step, for medium `i` (n): set by `trial`.
@@ -77,17 +88,15 @@ class StepEquations {
 
   const Eigen::SparseMatrix<double>& stiffness() const { return stiffness_; }  ///< lower, as given
   const Eigen::SparseMatrix<double>& mass() const { return mass_; }            ///< lower, as given
-  /// Ku = K u, Mv = M v (dofs) in one pass; results must not be operands. Allocates nothing where they have their size.
-  void multiply(const Eigen::VectorXd& u, const Eigen::VectorXd& v, Eigen::VectorXd& Ku, Eigen::VectorXd& Mv) const {
-    products_.multiply(u, v, Ku, Mv);
-  }
+  /// Of the state where the equations stand, and of the one where they stood before.
+  const MotionProducts& products() const { return now_; }
+  const MotionProducts& products_before() const { return before_; }
   const Constraints& constraints() const { return *constraints_; }
   std::span<const AttachedMedium* const> media() const { return media_; }
 
   /// M r a_g (dofs) [N/m].
   Eigen::VectorXd ground_load(const Eigen::Vector2d& ground) const { return ground_mass_.transpose() * ground; }
-  /// Δuᵀ M r a_g [J/m]: work of a motion Δu (dofs) against the inertia of a ground acceleration.
-  double work_of_ground(const Eigen::VectorXd& moved, const Eigen::Vector2d& ground) const;
+  const Eigen::Matrix2Xd& ground_mass() const { return ground_mass_; }  ///< (2, dofs): M r_x, M r_y [kg/m]
   /// Δuᵀ (R_before + R) [J/m] on medium `i` with its force R at the end of the last accepted step.
   double work_on_medium(std::size_t i, const Eigen::VectorXd& moved, const Eigen::VectorXd& before) const;
 
@@ -98,6 +107,7 @@ class StepEquations {
 
  private:
   void hold(Eigen::VectorXd& values) const;
+  bool stands_at(const MotionState& state) const;
 
   StepOptions options_;
   Eigen::SparseMatrix<double> stiffness_, mass_;
@@ -106,9 +116,12 @@ class StepEquations {
   numerics::NodeProducts products_;
   std::vector<const AttachedMedium*> media_;
   numerics::SymmetricFactor factor_;
-  Eigen::Matrix2Xd ground_mass_;  // (2, dofs): M r_x, M r_y
-  Eigen::VectorXd d_, with_mass_, with_stiffness_, velocity_part_, right_, of_mass_, of_stiffness_;
-  std::vector<Eigen::VectorXd> histories_, medium_forces_, medium_work_;
+  Eigen::Matrix2Xd ground_mass_;
+  numerics::VectorPair with_stiffness_, with_mass_;  // what the products are of
+  MotionProducts now_, before_;
+  Eigen::VectorXd d_;
+  std::vector<Eigen::VectorXd> histories_, medium_forces_;
+  std::vector<Eigen::VectorXd> medium_work_, medium_answer_;  // an acceleration, W_0 times it
 };
 
 }  // namespace sunder::simulation

@@ -12,6 +12,7 @@
 
 #include "verification/harness/case.hpp"
 #include "verification/harness/catalogue.hpp"
+#include "verification/harness/doctor.hpp"
 #include "verification/harness/fault_names.hpp"
 #include "verification/harness/faults.hpp"
 #include "verification/harness/isolation.hpp"
@@ -221,6 +222,18 @@ int catalogue(const Arguments& arguments, const CaseFolders& folders, const fs::
   return something_failed;
 }
 
+/// Ten numbers that should appear, each case in a process of its own.
+int doctor(const Arguments& arguments, const CaseFolders& folders, const fs::path& numbers) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto readings = read_numbers(read_doctor_numbers(numbers), [&](const std::string& id) {
+    return run_entry(read_case(folders.cases / (id + ".case.toml"), folders), arguments, false);
+  });
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+  std::cout << doctor_text(readings, passed.count());
+  const bool sound = std::all_of(readings.begin(), readings.end(), [](const auto& reading) { return reading.right(); });
+  return sound ? all_right : something_failed;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -262,6 +275,9 @@ int main(int argc, char** argv) {
   CLI::App* jitter_command = app.add_subcommand(
       "jitter", "Run scenes thirty times with every number moved by its last bit: the digits that may be trusted");
   runs(jitter_command);
+  CLI::App* doctor_command =
+      app.add_subcommand("doctor", "Ten numbers that should appear: is this installation sound?");
+  doctor_command->footer("Exit status: 0 the installation is sound, 1 a number is wrong, 2 the cases cannot be read.");
   CLI::App* faults_command = app.add_subcommand("faults", "Which cases name each fault that the solver can plant");
   CLI::App* catalogue_command =
       app.add_subcommand("catalogue", "Check verification/README.md against the cases, or write it");
@@ -277,6 +293,7 @@ int main(int argc, char** argv) {
     const fs::path root = project_root(arguments.root);
     const CaseFolders folders{root / "verification" / "cases", root / "reference-data"};
     if (*list_command) return list(arguments, folders);
+    if (*doctor_command) return doctor(arguments, folders, root / "verification" / "doctor.toml");
     if (*faults_command) return faults(folders, root / "solver");
     if (*catalogue_command) return catalogue(arguments, folders, root / "verification" / "README.md");
     if (*negatives_command && !fault_control())

@@ -131,6 +131,7 @@ Json setting_json(const SettingRow& row) {
   for (const auto& part : row.parts)
     parts.push_back({{"part", part.part},
                      {"calls", part.calls},
+                     {"bytes", part.bytes},
                      {"matrix_entries", part.matrix_entries},
                      {"seconds", part.seconds}});
   Json json{{"keys", keys},
@@ -155,7 +156,7 @@ SettingRow setting_from(const Json& json) {
   for (const auto& [name, count] : json.at("counts").items()) row.counts.emplace_back(name, whole<long long>(count));
   for (const Json& part : json.at("parts"))
     row.parts.push_back({part.at("part"), whole<long>(part.at("calls")), whole<long long>(part.at("matrix_entries")),
-                         number(part.at("seconds"))});
+                         number(part.at("seconds")), whole<long long>(part.at("bytes"))});
   row.standard = json.at("default");
   row.status = status(json.at("status"));
   row.cpu_seconds = number(json.at("cpu_seconds"));

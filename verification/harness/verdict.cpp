@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
 
 #include "verification/harness/comparison.hpp"
@@ -288,6 +289,11 @@ Values of_history(const results::RunSummary& summary, std::string_view path) {
   return select(columns, path);
 }
 
+/// Materials are values, and numerics is entered by name only where it is all that works: others call both everywhere.
+bool is_called_by_others(const std::string& part) {
+  return part == "material" || part == "numerics";
+}
+
 }  // namespace
 
 Lookup lookup_of(const Case& verification_case, const SettingRun& run) {
@@ -354,17 +360,33 @@ CheckOutcome judge(const Case& verification_case, const Check& check, std::vecto
 CheckOutcome judge_parts(const Case& verification_case, const std::vector<SettingRun>& runs) {
   CheckOutcome outcome{
       .name = "parts", .kind = "contract", .status = Status::pass, .evidence = "law", .basis = "specification"};
-  for (std::size_t i = 0; i < runs.size(); ++i)
+  const auto& listed = verification_case.modules;
+  std::set<std::string> touched;
+  bool ran = false;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    ran = ran || runs[i].row.status == Status::pass;
     for (const results::PartCost& part : runs[i].output.summary.parts) {
       ++outcome.compared;
-      const auto& listed = verification_case.modules;
-      const bool touched = part.calls != 0 || part.matrix_entries != 0 || part.seconds != 0.0;
-      if (!touched || std::find(listed.begin(), listed.end(), part.part) != listed.end()) continue;
+      if (part.calls == 0 && part.matrix_entries == 0 && part.seconds == 0.0 && part.bytes == 0) continue;
+      touched.insert(part.part);
+      if (std::find(listed.begin(), listed.end(), part.part) != listed.end()) continue;
       outcome.status = Status::broken_invariant;
       outcome.setting = static_cast<int>(i);
       outcome.message =
           "part " + part.part + " was entered " + std::to_string(part.calls) + " times, the case does not list it";
     }
+  }
+  if (!ran) return outcome;  // refusals enter what they please before they refuse
+  if (touched.empty() && !listed.empty()) {
+    outcome.compared = 1;
+    outcome.status = Status::checked_nothing;
+    outcome.message = "no part was counted: the study keeps no ledger";
+  }
+  if (outcome.status != Status::pass) return outcome;
+  for (const std::string& part : listed) {
+    if (touched.contains(part) || is_called_by_others(part)) continue;
+    outcome.message += (outcome.message.empty() ? "listed but never entered: " : ", ") + part;
+  }
   return outcome;
 }
 

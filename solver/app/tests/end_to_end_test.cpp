@@ -1,9 +1,6 @@
 // The program itself, started as a person starts it: every wrong scene is refused with its reason, status 2 and nothing
 // written; sound ones come through.
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <csignal>
 #include <cstdlib>
@@ -11,32 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "solver/app/tests/folder.hpp"
+#include "solver/app/tests/started_program.hpp"
 
 namespace sunder::app {
 namespace {
-
-pid_t start(const std::vector<std::string>& words, const TestFolder& folder) {
-  std::vector<std::string> line = {SUNDER_PROGRAM};
-  line.insert(line.end(), words.begin(), words.end());
-  std::vector<char*> arguments;
-  for (std::string& word : line) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  const pid_t child = ::fork();
-  if (child != 0) return child;
-  if (::chdir(folder.path().c_str()) != 0) ::_exit(99);
-  for (const auto& [descriptor, name] : {std::pair(STDOUT_FILENO, "out.txt"), std::pair(STDERR_FILENO, "err.txt")})
-    ::dup2(::open(name, O_WRONLY | O_CREAT | O_TRUNC, 0600), descriptor);
-  ::execv(SUNDER_PROGRAM, arguments.data());
-  ::_exit(98);
-}
-
-/// The exit status; minus the signal where one ended the program.
-int wait_for(pid_t child) {
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-}
 
 /// `block_scene` with its first `from` replaced.
 std::string changed(const std::string& from, const std::string& to) {
@@ -149,6 +124,9 @@ TEST(EndToEnd, FieldsAreTheSameBytesForOneAndTwoThreads) {
   const std::string one = folder.read("with-1/results.h5");
   EXPECT_FALSE(one.empty());
   EXPECT_TRUE(one == folder.read("with-2/results.h5"));
+  ASSERT_EQ(wait_for(start({"run", "block.toml", "--output", "with-1"}, folder)), 0) << folder.read("err.txt");
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "with-1/results.h5"))
+      << "fields of an earlier run are not its own";
 }
 
 TEST(EndToEnd, CtrlCLeavesAWholeSummaryOrNone) {

@@ -109,6 +109,11 @@ TEST(Baseline, SecondCorrectionChangesNothing) {
   for (std::size_t i = 0; i < 700; ++i) EXPECT_NEAR(twice.acceleration[i], once.acceleration[i], 1e-10);
 }
 
+TEST(Baseline, NeedsMoreSamplesThanCoefficients) {
+  const GroundMotion motion{.start = 0.0, .sample_step = 0.01, .acceleration = {1.0, 2.0, 3.0}};
+  EXPECT_THROW((void)baseline_corrected(motion), std::invalid_argument);
+}
+
 TEST_F(Record, WhatIsWrongIsNamedWithItsLine) {
   EXPECT_NE(refusal("c.csv", "0,0\n0.01,nan\n").find("c.csv:2: acceleration: \"nan\" is not finite"),
             std::string::npos);

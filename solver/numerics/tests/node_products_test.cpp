@@ -25,17 +25,25 @@ MatrixXd mesh_like(int nodes, int stride, double seed) {
   return A.selfadjointView<Eigen::Lower>();
 }
 
+VectorPair pair(const VectorXd& a, const VectorXd& b) {
+  VectorPair both(4, a.size() / 2);
+  both.topRows(2) = a.reshaped(2, a.size() / 2);
+  both.bottomRows(2) = b.reshaped(2, b.size() / 2);
+  return both;
+}
+
 TEST(NodeProducts, AreThoseOfTheDenseMatrices) {
   for (const int nodes : {1, 2, 9, 40}) {
     const MatrixXd A = mesh_like(nodes, 5, 0.1), B = mesh_like(nodes, 3, 0.7);  // patterns of their own
     const VectorXd x = VectorXd::LinSpaced(2 * nodes, -1.0, 2.0), z = x.cwiseAbs2() - 0.4 * x;
     const MatrixXd lower_A = A.triangularView<Eigen::Lower>(), lower_B = B.triangularView<Eigen::Lower>();
     const NodeProducts products(lower_A.sparseView(), lower_B.sparseView());
-    VectorXd Ax, Bz;
-    products.multiply(x, z, Ax, Bz);
-    // a dozen terms of size 4 a row
-    EXPECT_LT((Ax - A * x).cwiseAbs().maxCoeff(), 1e-14) << nodes;
-    EXPECT_LT((Bz - B * z).cwiseAbs().maxCoeff(), 1e-14) << nodes;
+    const VectorXd w = x.reverse() - z, q = z.reverse() + x;
+    VectorPair of_A, of_B;
+    products.multiply(pair(x, w), pair(z, q), of_A, of_B);
+    // a dozen terms of size 10 a row
+    EXPECT_LT((of_A - pair(A * x, A * w)).cwiseAbs().maxCoeff(), 3e-14) << nodes;
+    EXPECT_LT((of_B - pair(B * z, B * q)).cwiseAbs().maxCoeff(), 3e-14) << nodes;
   }
 }
 
@@ -44,9 +52,10 @@ TEST(NodeProducts, DoNotReadAboveTheDiagonal) {
   const MatrixXd lower = A.triangularView<Eigen::Lower>();
   const NodeProducts whole(A.sparseView(), A.sparseView()), half(lower.sparseView(), lower.sparseView());
   const VectorXd x = VectorXd::LinSpaced(8, 1.0, 2.0);
-  VectorXd a, b, c, d;
-  whole.multiply(x, x, a, b);
-  half.multiply(x, x, c, d);
+  const VectorPair twice = pair(x, x);
+  VectorPair a, b, c, d;
+  whole.multiply(twice, twice, a, b);
+  half.multiply(twice, twice, c, d);
   EXPECT_EQ(a, c);
   EXPECT_EQ(b, d);
 }

@@ -283,7 +283,11 @@ const Spoilt later[] = {
     {"contact growth", dynamic_scene, "growth_factor = 2", "growth_factor = 1",
      "dam.toml:38:17: contact.growth_factor: 1 is not accepted; accepted: a number > 1 (of the penalty, until the "
      "penetration is within its tolerance)"},
-    {"contact friction", dynamic_scene, "friction_coefficient = 0.6", "friction_coefficient = -0.6",
+    {"friction in motion", dynamic_scene, "friction_coefficient = 0.0", "friction_coefficient = 0.6",
+     "dam.toml:39:24: contact.friction_coefficient: 0.6 has no effect in analysis = \"dynamic\"; accepted: 0, faces "
+     "that "
+     "slide freely"},
+    {"contact friction", dynamic_scene, "friction_coefficient = 0.0", "friction_coefficient = -0.6",
      "dam.toml:39:24: contact.friction_coefficient: -0.6 is not accepted; accepted: a number >= 0 (Coulomb, with the "
      "memory "
      "of where the faces stuck)"},

@@ -78,7 +78,7 @@ density = 0
 model = "exact"
 initial_stiffness = 1e9
 growth_factor = 2
-friction_coefficient = 0.6
+friction_coefficient = 0.0
 
 [crack_water]
 model = "uniform"

@@ -9,38 +9,20 @@
 #include "solver/crack/crack_path.hpp"
 #include "solver/sbfem/assembly.hpp"
 #include "solver/sbfem/formation.hpp"
-#include "solver/scene/reader.hpp"
 #include "solver/scene/scene_error.hpp"
 #include "solver/simulation/face_compliance.hpp"
-#include "solver/simulation/run.hpp"
 #include "solver/simulation/static_loads.hpp"
 #include "solver/simulation/static_solution.hpp"
+#include "solver/simulation/tests/scene_runs.hpp"
 
 namespace sunder::simulation {
 namespace {
 
-using Overrides = std::vector<scene::Override>;
-
-scene::Scene scene_of(const std::string& text, const Overrides& overrides = {}) {
-  return scene::read_scene_text(text, "test.scene.toml", overrides);
-}
-
-results::RunSummary run_text(const std::string& text, const Overrides& overrides = {}, int threads = 1) {
-  return run(scene_of(text, overrides), {.threads = threads});
-}
-
-double number(const results::RunSummary& summary, const std::string& path) {
-  const results::Quantity* quantity = summary.quantities.find(path);
-  return quantity != nullptr && quantity->number() != nullptr ? *quantity->number() : NAN;
-}
-
-std::vector<double> numbers(const results::RunSummary& summary, const std::string& path) {
-  std::vector<double> values;
-  const results::Quantity* quantity = summary.quantities.find(path);
-  if (quantity == nullptr || quantity->list() == nullptr) return values;
-  for (const results::Quantity& value : *quantity->list()) values.push_back(*value.number());
-  return values;
-}
+using tests::number;
+using tests::numbers;
+using tests::Overrides;
+using tests::run_text;
+using tests::scene_of;
 
 /// Two bars, one on the other, pressed together by 0.1 mm.
 const char* const two_bars = R"(

@@ -4,15 +4,17 @@
 #include <string>
 
 #include "solver/sbfem/assembly.hpp"
-#include "solver/scene/reader.hpp"
 #include "solver/simulation/crack_face_loads.hpp"
 #include "solver/simulation/moving_water.hpp"
-#include "solver/simulation/run.hpp"
 #include "solver/simulation/static_loads.hpp"
 #include "solver/simulation/static_solution.hpp"
+#include "solver/simulation/tests/scene_runs.hpp"
 
 namespace sunder::simulation {
 namespace {
+
+using tests::number;
+using tests::scene_of;
 
 using Eigen::VectorXd;
 
@@ -41,12 +43,7 @@ boundary = "base"
 fix = ["x", "y"]
 )";
   const std::vector<scene::Override> overrides{{"mesh.order", std::to_string(order)}};
-  return scene::read_scene_text(text, "block.scene.toml", overrides);
-}
-
-double number(const results::RunSummary& summary, const char* path) {
-  const results::Quantity* quantity = summary.quantities.find(path);
-  return quantity != nullptr && quantity->number() != nullptr ? *quantity->number() : NAN;
+  return scene_of(text, overrides);
 }
 
 struct Block {
@@ -59,7 +56,7 @@ struct Block {
     Ledger ledger;
     body = build_body(scene, ledger);
     formation = sbfem::form(body.nodes, body.materials);
-    faces = crack_face_loads(body, formation, 0, scene.gravity->acceleration);
+    faces = crack_face_loads(scene, body, formation, 0);
   }
 };
 
@@ -76,7 +73,7 @@ TEST(CrackFaceLoads, GiveTheOpeningAndTheFactorsThatAStaticSceneHas) {
     const double wanted = number(wet, "crack_mouth_opening") - number(dry, "crack_mouth_opening");
     EXPECT_NEAR(opening, wanted, 1e-9 * std::abs(wanted)) << order;
     CrackFaceLoads weightless = block.faces;
-    weightless.tip->of_weight.setZero();
+    weightless.tip->of_constant_loads.setZero();
     const Eigen::Vector3d K = weightless.tip->factors(solution.displacement, p, 0.0);
     const double K_I = number(wet, "tips[0].K_I") - number(dry, "tips[0].K_I");
     EXPECT_NEAR(K[0], K_I, 1e-9 * std::abs(K_I)) << order;

@@ -4,12 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "solver/scene/reader.hpp"
 #include "solver/scene/scene_error.hpp"
-#include "solver/simulation/run.hpp"
+#include "solver/simulation/tests/scene_runs.hpp"
 
 namespace sunder::simulation {
 namespace {
+
+using tests::number;
+using tests::run_text;
 
 const char* const closing_crack = R"(name = "45 m crack"
 analysis = "crack-water"
@@ -22,15 +24,6 @@ opening_rate = [-0.10, 0.0]
 upstream_head = 50.0
 downstream_head = 0.0
 )";
-
-results::RunSummary run_text(const std::string& text, std::vector<scene::Override> overrides = {}) {
-  return run(scene::read_scene_text(text, "test.scene.toml", overrides));
-}
-
-double number(const results::RunSummary& summary, const char* path) {
-  const results::Quantity* quantity = summary.quantities.find(path);
-  return quantity != nullptr && quantity->number() != nullptr ? *quantity->number() : NAN;
-}
 
 std::string refusal(std::vector<scene::Override> overrides) {
   try {

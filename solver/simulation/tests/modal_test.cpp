@@ -5,15 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "solver/scene/reader.hpp"
-#include "solver/simulation/run.hpp"
+#include "solver/simulation/tests/scene_runs.hpp"
 
 namespace sunder::simulation {
 namespace {
 
-results::RunSummary run_text(const std::string& text, std::vector<scene::Override> overrides = {}) {
-  return run(scene::read_scene_text(text, "test.scene.toml", overrides), {.threads = 2});
-}
+using tests::run_text;
 
 double frequency(const results::RunSummary& summary, int i) {
   const results::Quantity* quantity = summary.quantities.find("frequencies[" + std::to_string(i) + "]");

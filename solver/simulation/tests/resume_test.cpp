@@ -64,15 +64,16 @@ class Resume : public ::testing::Test {
   std::filesystem::path results() const { return folder_ / "results"; }
 
   /// Ends early at `fraction` of the steps.
-  results::RunSummary interrupted(double fraction, bool resume = false) const {
+  results::RunSummary interrupted(double fraction, bool resume = false,
+                                  const std::vector<scene::Override>& overrides = {}) const {
     std::atomic<bool> stop{false};
-    return run(scene_with(), {.progress =
-                                  [&](std::string_view phase, double done) {
-                                    if (phase == "steps" && done > fraction) stop = true;
-                                  },
-                              .stop = &stop,
-                              .output = results(),
-                              .resume = resume});
+    return run(scene_with(overrides), {.progress =
+                                           [&](std::string_view phase, double done) {
+                                             if (phase == "steps" && done > fraction) stop = true;
+                                           },
+                                       .stop = &stop,
+                                       .output = results(),
+                                       .resume = resume});
   }
   std::string refusal(const std::vector<scene::Override>& overrides) const {
     try {
@@ -130,16 +131,31 @@ TEST_F(Resume, RefusesWhatIsNotItsOwn) {
 }
 
 TEST_F(Resume, IsRefusedForScenesThatCannotBeTakenUp) {
-  const auto said = [this](const std::vector<scene::Override>& overrides) {
-    try {
-      (void)scene_with(overrides);
-    } catch (const scene::SceneError& error) {
-      return std::string(error.what());
-    }
-    return std::string("accepted");
-  };
-  EXPECT_NE(said({{"crack[0].path", "[[0, 5], [1, 5]]"}}).find("a run with [[crack]] cannot be taken up again"),
-            std::string::npos);
+  try {
+    (void)scene_with({{"output.fields_every", "10"}});
+    FAIL() << "accepted";
+  } catch (const scene::SceneError& error) {
+    EXPECT_NE(std::string(error.what()).find("fields cannot be taken up again"), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(Resume, GivesTheSameBitsWithACrackWhoseFacesTouch) {
+  const std::vector<scene::Override> crack{
+      {"crack[0].path", "[[0, 5], [1, 5]]"}, {"contact.model", "\"penalty\""}, {"crack_water.model", "\"moving\""}};
+  std::vector<scene::Override> without = crack;
+  without.push_back({"output.checkpoint_every", "0"});
+  const results::RunSummary whole = run(scene_with(without));
+  ASSERT_TRUE(whole.completed()) << whole.status;
+  ASSERT_FALSE(interrupted(0.3, false, crack).completed());
+  std::vector<scene::Override> softer = crack;
+  softer.push_back({"contact.initial_stiffness", "2e8"});
+  EXPECT_NE(refusal(softer).find("belongs to another run"), std::string::npos);
+  std::vector<scene::Override> smoother = crack;
+  smoother.push_back({"crack_water.relative_roughness", "0.25"});
+  EXPECT_NE(refusal(smoother).find("belongs to another run"), std::string::npos);
+  const results::RunSummary resumed = run(scene_with(crack), {.threads = 2, .output = results(), .resume = true});
+  ASSERT_TRUE(resumed.completed()) << resumed.status;
+  expect_same_bits(whole, resumed);
 }
 
 }  // namespace

@@ -5,21 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "solver/scene/reader.hpp"
 #include "solver/scene/scene_error.hpp"
-#include "solver/simulation/run.hpp"
+#include "solver/simulation/tests/scene_runs.hpp"
 
 namespace sunder::simulation {
 namespace {
 
-double number(const results::RunSummary& summary, const char* path) {
-  const results::Quantity* quantity = summary.quantities.find(path);
-  return quantity != nullptr && quantity->number() != nullptr ? *quantity->number() : NAN;
-}
-
-results::RunSummary run_text(const std::string& text, std::vector<scene::Override> overrides = {}, int threads = 1) {
-  return run(scene::read_scene_text(text, "test.scene.toml", overrides), {.threads = threads});
-}
+using tests::number;
+using tests::run_text;
 
 /// Edge crack a/W = 0.5, H/W = 1 (half height), tension 1: K_I = 2.8254653223 √(π/2), T = -0.41019754 from one polygon
 /// of order 8 … 12, self-converged to 1e-10 and 1e-8.

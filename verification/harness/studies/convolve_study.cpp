@@ -4,11 +4,14 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <random>
 
 #include "solver/convolution/direct_sum.hpp"
 #include "solver/convolution/make_convolution.hpp"
+#include "solver/numerics/compensated_sum.hpp"
+#include "solver/reservoir/modal_exponentials.hpp"
 #include "solver/simulation/ledger.hpp"
 #include "verification/harness/studies/polygon_shape.hpp"
 #include "verification/harness/studies/studies.hpp"
@@ -75,18 +78,24 @@ StudyOutput run_convolve(const StudyInput& input) {
     const bool modal = alpha == 1.0;
     WeightSequence weights =
         modal ? reservoir::modal_weights(modes, step, steps) : reservoir::face_weights(modes, step, steps);
+    const std::string method = text_parameter(input, "method");
+    const double tolerance = number_parameter(input, "tolerance", 1e-5);
+    const bool of_face = method == "water-memory";
     // the method meets the reference on the weights that it was given; what truncation leaves out is its error
-    convolution::DirectSum reference(weights, steps);
+    const std::unique_ptr<convolution::Convolution> reference =
+        of_face ? reservoir::face_convolution(modes, step, steps).convolution
+                : std::make_unique<convolution::DirectSum>(weights, steps);
     if (const double kept = number_parameter(input, "truncation", 0.0); kept > 0.0)
       weights = convolution::truncated(weights, std::min<long long>(static_cast<long long>(kept / step), steps));
     if (number_parameter(input, "passivity", 0.0) != 0.0)
       output.summary.quantities["least_power"] = least_power(weights);
     const convolution::MadeConvolution made =
-        convolution::make_convolution(weights, steps,
-                                      {.method = method_of(text_parameter(input, "method")),
-                                       .reduction = {.tolerance = number_parameter(input, "tolerance", 1e-5)}});
-    const Eigen::MatrixXd a = noise(weights.size, steps);
-    const Eigen::MatrixXd theirs = forces_of(reference, a), mine = forces_of(*made.convolution, a);
+        of_face ? reservoir::face_convolution(modes, step, steps,
+                                              {.method = Method::state_space, .reduction = {.tolerance = tolerance}})
+                : convolution::make_convolution(weights, steps,
+                                                {.method = method_of(method), .reduction = {.tolerance = tolerance}});
+    const Eigen::MatrixXd a = noise(reference->size(), steps);
+    const Eigen::MatrixXd theirs = forces_of(*reference, a), mine = forces_of(*made.convolution, a);
     const double largest = theirs.size() > 0 ? theirs.cwiseAbs().maxCoeff() : 0.0;
     results::Quantity& found = output.summary.quantities;
     found["error"] = (mine - theirs).cwiseAbs().maxCoeff() / std::fmax(largest, 1e-300);
@@ -96,6 +105,55 @@ StudyOutput run_convolve(const StudyInput& input) {
     for (Eigen::Index n = 0; n < a.cols(); ++n) worst = std::fmax(worst, (mine - theirs).col(n).norm());
     found["share_of_bound"] =
         made.error.absolute > 0.0 ? worst / (made.error.absolute * a.colwise().norm().maxCoeff()) : 0.0;
+  }
+  ledger.close(output.summary);
+  return output;
+}
+
+StudyOutput run_long_memory(const StudyInput& input) {
+  const auto steps = static_cast<long long>(number_parameter(input, "steps"));
+  const double step = number_parameter(input, "step", 0.144);
+  StudyOutput output;
+  simulation::Ledger ledger;
+  {
+    const simulation::Ledger::Visit visit(ledger, "convolution", "convolution");
+    const reservoir::FaceModes modes = unit_face_modes(whole_parameter(input, "elements", 2), 2, 1.0);
+    const convolution::ExponentialSums sums =
+        reservoir::modal_exponentials(modes, step, steps, number_parameter(input, "tolerance"));
+    convolution::DiagonalStateSpace water(sums);
+    const auto m = static_cast<std::size_t>(water.size());
+    Eigen::VectorXd force(water.size());
+    const Eigen::VectorXd acceleration = Eigen::VectorXd::Ones(water.size());
+    // P_j and P_{j-1} of each mode, from P_{j+1} (j + 1) = (2 j + 1) x P_j - j P_{j-1}
+    std::vector<double> x(m), now(m, 1.0), before(m, 0.0), size(m, 0.0), worst(m, 0.0);
+    std::vector<numerics::CompensatedSum> exact(m);
+    for (std::size_t k = 0; k < m; ++k) {
+      const double t = 0.5 * std::sqrt(modes.wavenumber_squared[static_cast<Eigen::Index>(k)]) * step;
+      x[k] = (1.0 - t) * (1.0 + t) / (1.0 + t * t);
+      size[k] = sums.mass[static_cast<Eigen::Index>(k)];
+    }
+    water.append(acceleration);
+    for (long long j = 1; j <= steps; ++j) {
+      water.history_force(force);
+      for (std::size_t k = 0; k < m; ++k) {
+        const double order = static_cast<double>(j - 1), front = sums.mass[static_cast<Eigen::Index>(k)];
+        const double next = ((2.0 * order + 1.0) * x[k] * now[k] - order * before[k]) / (order + 1.0);
+        before[k] = now[k];
+        now[k] = next;
+        const double weight = front * (now[k] + before[k]);
+        size[k] += std::abs(weight);
+        exact[k].add(weight);
+        worst[k] = std::max(worst[k], std::abs(force[static_cast<Eigen::Index>(k)] - exact[k].value()));
+      }
+      water.append(acceleration);
+    }
+    double error = 0.0;
+    for (std::size_t k = 0; k < m; ++k) error = std::max(error, worst[k] / size[k]);
+    results::Quantity& found = output.summary.quantities;
+    found["error"] = error;
+    found["stated_error"] = sums.error.relative;
+    found["megabytes"] = 1e-6 * water.bytes();
+    found["numbers_per_mode"] = static_cast<double>(sums.decay.rows());
   }
   ledger.close(output.summary);
   return output;

@@ -3,9 +3,12 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "solver/convolution/contour_weights.hpp"
 #include "solver/convolution/direct_sum.hpp"
+#include "solver/convolution/simple_convolutions.hpp"
+#include "solver/reservoir/modal_exponentials.hpp"
 #include "solver/simulation/ledger.hpp"
 #include "verification/harness/studies/polygon_shape.hpp"
 #include "verification/harness/studies/studies.hpp"
@@ -18,6 +21,19 @@ using convolution::WeightSequence;
 
 constexpr double still_water = 0.5427545144089087;  // 14 ζ(3)/π³
 constexpr double too_large = 1e100;                 // grown out of all bounds: the march ends there
+
+/// Coefficients of 1/√(s² + k²), s = (3/2 - 2 ζ + ζ²/2)/Δt, from p f' = -½ p' f with p = s² + k².
+Eigen::RowVectorXd backward_difference_weights(double k, double dt, int steps) {
+  const double p[5] = {2.25 / (dt * dt) + k * k, -6.0 / (dt * dt), 5.5 / (dt * dt), -2.0 / (dt * dt), 0.25 / (dt * dt)};
+  Eigen::RowVectorXd f(steps + 1);
+  f[0] = 1.0 / std::sqrt(p[0]);
+  for (int n = 1; n <= steps; ++n) {
+    double sum = 0.0;
+    for (int i = 1; i <= std::min(n, 4); ++i) sum += p[i] * (n - 0.5 * i) * f[n - i];
+    f[n] = -sum / (p[0] * n);
+  }
+  return f;
+}
 
 /// Scalar weights of one scheme.
 WeightSequence weights_of(const std::string& scheme, double dt, int steps) {
@@ -37,10 +53,29 @@ WeightSequence weights_of(const std::string& scheme, double dt, int steps) {
     weights.values = convolution::hat_weights(twice_integrated(kernel, dt, steps + 2), dt);
   } else if (scheme == "sampled") {
     for (int j = 0; j <= steps; ++j) weights.values(0, j) = (j == 0 ? 0.5 : 1.0) * dt * kernel.sample(j * dt);
+  } else if (scheme == "backward-difference") {
+    weights.values.setZero();
+    for (Eigen::Index k = 0; k < kernel.weight.size(); ++k)
+      weights.values += kernel.weight[k] * backward_difference_weights(kernel.frequency[k], dt, steps);
   } else {
     throw std::invalid_argument("parameters.scheme: there is no \"" + scheme + "\"");
   }
   return weights;
+}
+
+std::unique_ptr<convolution::Convolution> sum_of(const std::string& scheme, double dt, int steps, double truncation) {
+  WeightSequence weights = weights_of(scheme, dt, steps);
+  if (truncation > 0.0)
+    weights = convolution::truncated(weights, std::min<long long>(static_cast<long long>(truncation / dt), steps));
+  return std::make_unique<convolution::DirectSum>(weights, steps);
+}
+
+/// The trapezoidal weights as sums of exponentials.
+std::unique_ptr<convolution::Convolution> exponentials(double dt, int steps, double tolerance) {
+  const reservoir::FaceModes modes = unit_face_modes(10, 2, 1.0);
+  return std::make_unique<convolution::Transformed>(
+      water_kernel(modes).weight.cwiseSqrt(),
+      std::make_unique<convolution::DiagonalStateSpace>(reservoir::modal_exponentials(modes, dt, steps, tolerance)));
 }
 
 struct Motion {
@@ -97,65 +132,15 @@ StudyOutput run_coupled_oscillator(const StudyInput& input) {
   simulation::Ledger ledger;
   {
     const simulation::Ledger::Visit visit(ledger, "convolution", "march");
-    WeightSequence weights = weights_of(scheme, dt, steps);
-    if (const double kept = number_parameter(input, "truncation", 0.0); kept > 0.0)
-      weights = convolution::truncated(weights, std::min<long long>(static_cast<long long>(kept / dt), steps));
-    convolution::DirectSum water(weights, steps);
+    const std::unique_ptr<convolution::Convolution> water =
+        scheme == "exponentials" ? exponentials(dt, steps, number_parameter(input, "tolerance"))
+                                 : sum_of(scheme, dt, steps, number_parameter(input, "truncation", 0.0));
     const double mass = ratio * still_water;
-    const Motion motion = march(water, mass, dry, dt, steps, scheme == "load-side");
+    const Motion motion = march(*water, mass, dry, dt, steps, scheme == "load-side");
     results::Quantity& found = output.summary.quantities;
     found["growth"] = motion.bounded && motion.early > 0.0 ? motion.late / motion.early : too_large;
-    found["mass_share"] = weights.values(0, 0) / mass;
+    found["mass_share"] = water->instantaneous_mass()(0, 0) / mass;
     if (motion.bounded) found["frequency"] = motion.frequency;
-  }
-  ledger.close(output.summary);
-  return output;
-}
-
-/// M * M = G, the first-kind equation for J0(t), by piecewise linear M collocated at the steps' ends, and
-/// differentiated to the second kind: M(0) M + M' * M = G'.
-StudyOutput run_kernel_march(const StudyInput& input) {
-  const bool second_kind = text_parameter(input, "scheme") == "second-kind";
-  const double dt = number_parameter(input, "step");
-  const int steps = whole_parameter(input, "steps", 400);
-  StudyOutput output;
-  simulation::Ledger ledger;
-  {
-    const simulation::Ledger::Visit visit(ledger, "convolution", "march");
-    Eigen::VectorXd M(steps + 1);
-    M[0] = 1.0;
-    double worst = 0.0;
-    for (int n = 1; n <= steps; ++n) {
-      const double t = n * dt;
-      // unknown x = M_n; the sum is linear in it but in the first step, where Newton's method needs a few rounds
-      double x = M[n - 1];
-      for (int round = 0; round < 30; ++round) {
-        M[n] = x;
-        double value = 0.0, slope = 0.0;
-        for (int k = 0; k < n; ++k) {
-          const double left = M[k], right = M[k + 1], far = M[n - k], near = M[n - k - 1];
-          const double d_left = k == n ? 1.0 : 0.0, d_right = k + 1 == n ? 1.0 : 0.0, d_far = k == 0 ? 1.0 : 0.0;
-          if (second_kind) {
-            value += 0.5 * (right - left) * (far + near);
-            slope += 0.5 * (d_right - d_left) * (far + near) + 0.5 * (right - left) * d_far;
-          } else {
-            value += dt / 6.0 * (2.0 * left * far + left * near + right * far + 2.0 * right * near);
-            slope += dt / 6.0 * (d_far * (2.0 * left + right) + d_right * (far + 2.0 * near));
-          }
-        }
-        const double residual = second_kind ? M[0] * x + value - std::cos(t) : value - std::sin(t);
-        const double change = residual / (second_kind ? M[0] + slope : slope);
-        x -= change;
-        if (!(std::abs(change) > 1e-15 * std::fmax(1.0, std::abs(x)))) break;
-      }
-      M[n] = x;
-      if (!(std::abs(x) < too_large)) {
-        worst = too_large;
-        break;
-      }
-      worst = std::fmax(worst, std::abs(x - ::j0(t)));
-    }
-    output.summary.quantities["kernel_error"] = worst;
   }
   ledger.close(output.summary);
   return output;

@@ -106,14 +106,16 @@ results::RunSummary follow(const StudyInput& input, const scene::Scene& scene) {
     MatrixXd fields(body.dofs(), 5);
     fields << linear_fields(body, direction), u;
     const simulation::TransferredFields moved =
-        simulation::transfer_fields(body, formation, growth.body, growth.formation, growth.report, fields);
+        simulation::transfer_fields(body, formation, growth.body, growth.same, growth.report, fields);
+    const simulation::TransferredEnergies energies = simulation::transferred_energies(
+        {body, formation, fields}, {growth.body, growth.formation, moved.values}, growth.same);
     const MatrixXd exact = linear_fields(growth.body, direction);
     worst.linear =
         std::max(worst.linear, (moved.values.leftCols(4) - exact).cwiseAbs().maxCoeff() / exact.cwiseAbs().maxCoeff());
-    worst.rigid_energy =
-        std::max(worst.rigid_energy, moved.strain_energy_change.head(3).cwiseAbs().maxCoeff() / moved.strain_energy[3]);
-    worst.strain_change.push_back(moved.strain_energy_change[4] / moved.strain_energy[4]);
-    worst.kinetic_change.push_back(moved.kinetic_energy_change[4] / moved.kinetic_energy[4]);
+    worst.rigid_energy = std::max(
+        worst.rigid_energy, energies.strain_energy_change.head(3).cwiseAbs().maxCoeff() / energies.strain_energy[3]);
+    worst.strain_change.push_back(energies.strain_energy_change[4] / energies.strain_energy[4]);
+    worst.kinetic_change.push_back(energies.kinetic_energy_change[4] / energies.kinetic_energy[4]);
     look_at_faces(body, u, growth.body, moved.values.rightCols(1), worst);
     body = std::move(growth.body);
     formation = std::move(growth.formation);

@@ -47,18 +47,28 @@ StudyOutput run_jitter(const StudyInput& input);
 StudyOutput run_state_transfer(const StudyInput& input);
 
 /// "convolve": the water's convolution of white noise on a face of `elements` quadratic elements (ρ = c = H = 1) for
-/// `steps` of `step`, by `method` (automatic, direct, blocked-direct, block-fft, state-space with `tolerance`;
-/// `truncation` H/c) against the plain sum: error (largest, of the largest force), relative_error (of norms),
-/// stated_error, share_of_bound of the stated absolute error; with `passivity` = 1 least_power on the unit circle.
+/// `steps` of `step`, by `method` (automatic, direct, blocked-direct, block-fft, state-space with `tolerance`, or
+/// water-memory: what reservoir.memory_tolerance asks for; `truncation` H/c) against the plain sum: error (largest, of
+/// the largest force), relative_error (of norms), stated_error, share_of_bound of the stated absolute error; with
+/// `passivity` = 1 least_power on the unit circle.
 StudyOutput run_convolve(const StudyInput& input);
 
 /// "coupled-oscillator": an undamped oscillator (`mass_ratio`, `dry` frequency) on a rigid face over a rigid bottom for
-/// `duration` H/c in steps of `step`, with weights of `scheme` (trapezoidal, contour, hat, sampled, load-side), cut at
+/// `duration` H/c in steps of `step`, with weights of `scheme` (trapezoidal, contour, hat, sampled, load-side,
+/// backward-difference of order two, or the trapezoidal ones as exponentials of `tolerance`), cut at
 /// `truncation`: growth (largest displacement of the last tenth over that of the first), mass_share W_0/m, frequency.
 StudyOutput run_coupled_oscillator(const StudyInput& input);
 
-/// "kernel-march": J0 from M * M = G by `scheme` = first-kind or second-kind: kernel_error over `steps` of `step`.
+/// "kernel-march": J0 from M * M = G by `scheme` = first-kind, second-kind or piecewise-constant over `steps` of
+/// `step`: kernel_error at the steps' ends; piecewise-constant also kernel_error_in_middle, refused where it has no
+/// real root.
 StudyOutput run_kernel_march(const StudyInput& input);
+
+/// "long-memory": a sudden constant acceleration of the face over a rigid bottom for `steps` of `step` by the sum of
+/// exponentials of `tolerance`: largest error against the sum of the weights in closed form, one after the other, as a
+/// share of Σ|w|; its stated_error; megabytes held, numbers a mode.
+StudyOutput run_long_memory(const StudyInput& input);
+
 /// "time-step": `steps` steps of `time_step` (or of `duration` / steps) by `integrator` (`spectral_radius`) of a `body`
 /// with known motion, then as many of `step_jump` times the length. "oscillator": mass 1, `omega`, Rayleigh `damping`
 /// ("stiffness" or "both") with `damping_ratio` at omega; "rod": length and wave speed 1 of `elements`. `drive`: "free"
@@ -66,6 +76,12 @@ StudyOutput run_kernel_march(const StudyInput& input);
 /// Gives displacement and velocity at the end (of the free end), largest_displacement, and of a free motion
 /// energy_drift.
 StudyOutput run_time_step(const StudyInput& input);
+
+/// "resumed": the scene in one piece against the same in `pieces`, each begun from the checkpoint of the one before
+/// (every `checkpoint_every` steps); the first is killed, the second interrupted, and so on: different_values of
+/// history and summary, bit for bit; killed; growths of the run in one piece, growths_after and steps_after the last
+/// checkpoint.
+StudyOutput run_resumed(const StudyInput& input);
 
 /// "contact-history": the faces of one crack under a history of loads, solved warm: difference of the forces from exact
 /// contact by another method, largest penetration, restless states.

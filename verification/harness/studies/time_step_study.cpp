@@ -112,6 +112,7 @@ struct March {
     if (equations.status() != numerics::FactorStatus::factorised) return false;
     const double begun = state.time;
     load(start, begun);
+    equations.stand_at(state);
     for (long long step = 1; step <= steps; ++step) {
       const double time = begun + options.time_step * static_cast<double>(step);
       load(end, time);

@@ -156,21 +156,38 @@ TEST(Runner, RepeatsUntilTheMedianIsSettledAndHoldsTheBits) {
   EXPECT_EQ(run(whole, drifting, {.repeat = true}).status, Status::broken_invariant);
 }
 
+/// A case that lists parts, and a study whose run entered others.
+CaseResult run_with_parts(const std::string& listed, const std::vector<results::PartCost>& entered) {
+  std::string text = whole;
+  text.replace(text.find("modules = []"), 12, "modules = [" + listed + "]");
+  return run(text, [&](const StudyInput& input) {
+    StudyOutput output = answering(2.0)(input);
+    output.summary.parts = entered;
+    return output;
+  });
+}
+
 TEST(Runner, HoldsTheContractOnParts) {
-  const Study wandering = [](const StudyInput& input) {
-    StudyOutput output = answering(2.0)(input);
-    output.summary.parts = {{"numerics", 3, 10, 0.0}, {"crackwater", 1, 0, 0.0}};
-    return output;
-  };
-  const CaseResult result = run(whole, wandering);
-  EXPECT_EQ(result.status, Status::broken_invariant);
-  EXPECT_NE(result.checks.back().message.find("crackwater"), std::string::npos);
-  const Study staying = [](const StudyInput& input) {
-    StudyOutput output = answering(2.0)(input);
-    output.summary.parts = {{"numerics", 3, 10, 0.0}, {"crackwater", 0, 0, 0.0}};
-    return output;
-  };
-  EXPECT_EQ(run(whole, staying).status, Status::pass);
+  const CaseResult wandering =
+      run_with_parts("\"numerics\"", {{.part = "numerics", .calls = 3}, {.part = "crackwater", .calls = 1}});
+  EXPECT_EQ(wandering.status, Status::broken_invariant);
+  EXPECT_NE(wandering.checks.back().message.find("crackwater"), std::string::npos);
+  const CaseResult staying = run_with_parts("\"numerics\"", {{.part = "numerics", .calls = 3}, {.part = "crackwater"}});
+  EXPECT_EQ(staying.status, Status::pass);
+  EXPECT_EQ(staying.checks.back().message, "");
+  const results::PartCost one_cost[] = {{.part = "crackwater", .calls = 1},
+                                        {.part = "crackwater", .matrix_entries = 1},
+                                        {.part = "crackwater", .seconds = 1e-9},
+                                        {.part = "crackwater", .bytes = 1}};
+  for (const results::PartCost& cost : one_cost) EXPECT_EQ(run_with_parts("", {cost}).status, Status::broken_invariant);
+}
+
+TEST(Runner, SaysWhichListedPartWasNeverEntered) {
+  const CaseResult idle = run_with_parts("\"sbfem\", \"contact\"", {{.part = "sbfem", .calls = 3}});
+  EXPECT_EQ(idle.status, Status::pass);
+  EXPECT_EQ(idle.checks.back().message, "listed but never entered: contact");
+  const CaseResult uncounted = run_with_parts("\"sbfem\"", {});
+  EXPECT_EQ(uncounted.status, Status::checked_nothing);
 }
 
 TEST(Runner, PinsTellChange) {

@@ -19,7 +19,7 @@ inline const std::string plain_head =
     "why = \"So that the harness is seen to work.\"\n"  // 4
     "family = \"demo\"\n"                               // 5
     "tier = \"quick\"\n"                                // 6
-    "modules = [\"numerics\"]\n"                        // 7
+    "modules = []\n"                                    // 7
     "study = \"fake\"\n";                               // 8
 
 inline const std::string exact_two =
