@@ -226,7 +226,7 @@ int catalogue(const Arguments& arguments, const CaseFolders& folders, const fs::
 int doctor(const Arguments& arguments, const CaseFolders& folders, const fs::path& numbers) {
   const auto begin = std::chrono::steady_clock::now();
   const auto readings = read_numbers(read_doctor_numbers(numbers), [&](const std::string& id) {
-    return run_entry(read_case(folders.cases / (id + ".case.toml"), folders), arguments, false);
+    return run_entry(read_case(folders.cases / (id + ".case.toml"), folders), arguments, Command::run);
   });
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
   std::cout << doctor_text(readings, passed.count());
