@@ -1,9 +1,11 @@
 #include "verification/harness/record.hpp"
 
+#include <cstdint>
 #include <fstream>
 #include <limits>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -18,7 +20,10 @@ double number(const Json& json) {
 /// A fraction, or what no whole number holds, is not cut off in silence.
 template <class Integer = int>
 Integer whole(const Json& json) {
-  if (!json.is_number_integer()) throw std::runtime_error(json.dump() + " is no whole number");
+  const bool fits = json.is_number_unsigned()
+                        ? std::in_range<Integer>(json.get<std::uint64_t>())
+                        : json.is_number_integer() && std::in_range<Integer>(json.get<std::int64_t>());
+  if (!fits) throw std::runtime_error(json.dump() + " is no whole number that is accepted here");
   return json.get<Integer>();
 }
 std::vector<double> number_list(const Json& json) {
