@@ -32,7 +32,7 @@ class Search {
       result_.status = RootStatus::not_finite;
       return true;
     }
-    if (!(std::abs(result_.residual) <= std::abs(last_.value))) {
+    if (!std::islessequal(std::abs(result_.residual), std::abs(last_.value))) {  // quiet: not a number before the first
       result_.root = x;
       result_.residual = last_.value;
     }
@@ -86,7 +86,7 @@ class Search {
       result_.status = RootStatus::not_finite;
       return true;
     }
-    if (!(std::abs(result_.residual) <= std::abs(last_.value))) {
+    if (!std::islessequal(std::abs(result_.residual), std::abs(last_.value))) {  // quiet: not a number before the first
       result_.root = x;
       result_.residual = last_.value;
     }
