@@ -5,7 +5,8 @@ namespace sunder::verification {
 
 /// While it lives, an invalid operation, a division by zero or an overflow in this thread, or in one that it starts,
 /// raises SIGFPE after a line on standard error that names which. Compilers must not invent operations for that:
-/// meaningful with -ftrapping-math, gcc's default.
+/// meaningful with -ftrapping-math, gcc's default. Foreign libraries are let off by
+/// numerics::UntrappedFloats.
 class FloatTraps {
  public:
   explicit FloatTraps(bool set);

@@ -4,6 +4,8 @@
 
 #include <csignal>
 
+#include "solver/numerics/untrapped_floats.hpp"
+
 namespace sunder::verification {
 namespace {
 
@@ -17,6 +19,19 @@ TEST(FloatTrapsDeathTest, EndsTheProgramByName) {
   EXPECT_EXIT(with_traps([] { return 1.0 / zero; }), testing::KilledBySignal(SIGFPE), "division by zero");
   EXPECT_EXIT(with_traps([] { return zero / zero; }), testing::KilledBySignal(SIGFPE), "invalid operation");
   EXPECT_EXIT(with_traps([] { return huge * huge; }), testing::KilledBySignal(SIGFPE), "overflow");
+}
+
+TEST(FloatTrapsDeathTest, LetAForeignLibraryOffAndReturnAfterIt) {
+  const auto with_traps = [] {
+    const FloatTraps traps(true);
+    {
+      const numerics::UntrappedFloats foreign;
+      result = 1.0 / zero;
+    }
+    result = 1.0;  // nothing is left to trap
+    result = zero / zero;
+  };
+  EXPECT_EXIT(with_traps(), testing::KilledBySignal(SIGFPE), "invalid operation");
 }
 
 TEST(FloatTraps, AreGoneAfterwardsAndAbsentWhereNotSet) {
