@@ -1,9 +1,11 @@
-# sunder_module(<name> FLOOR <n> [DEPENDS <module>...] [LIBRARIES <target>...])
+# sunder_module(<name> FLOOR <n> [DEPENDS <module>...] [LIBRARIES <target>...] [SEPARATE])
 #
 # One library `sunder_<name>` of solver/<name>/*.cpp and, where solver/<name>/tests/*_test.cpp exist, one test program
 # `<name>_test`; a main.cpp is left to the program that it belongs to. A module may depend only on modules of lower
 # floors; anything else stops the configuration. The include lines are held to the same table by ci/check-layers, which
 # reads the file `layers.txt` written here.
+#
+# SEPARATE: its sources use a name for two things, each in its own file, and cannot be compiled as one (SUNDER_UNITY).
 #
 # Sources that plant faults (they include numerics/planted_fault.hpp) are compiled a second time with the faults alive, as
 # objects that only the test program `sunder-verify-faulted` links (property SUNDER_FAULTED_OBJECTS).
@@ -12,7 +14,7 @@ set_property(GLOBAL PROPERTY SUNDER_MODULE_LIBRARIES "")
 file(WRITE ${PROJECT_BINARY_DIR}/layers.txt "")
 
 function(sunder_module name)
-  cmake_parse_arguments(arg "" "FLOOR" "DEPENDS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "SEPARATE" "FLOOR" "DEPENDS;LIBRARIES" ${ARGN})
   if(name IN_LIST SUNDER_ABSENT_MODULES)
     return()
   endif()
@@ -41,6 +43,9 @@ function(sunder_module name)
   if(sources)
     add_library(sunder_${name} STATIC ${sources})
     target_link_libraries(sunder_${name} PUBLIC sunder_options ${modules} ${arg_LIBRARIES})
+    if(SUNDER_UNITY AND NOT arg_SEPARATE)
+      set_target_properties(sunder_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
+    endif()
   else()
     add_library(sunder_${name} INTERFACE)
     target_link_libraries(sunder_${name} INTERFACE sunder_options ${modules} ${arg_LIBRARIES})

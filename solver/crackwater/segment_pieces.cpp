@@ -140,7 +140,7 @@ int borders_of(const Segment& segment, const FlowLaw& law, double c, double star
   std::array<double, 9> cuts{};
   int count = 0;
   std::array<double, 2> y{};
-  if (extra > start && extra < end) insert(cuts, count, extra);
+  if (std::isgreater(extra, start) && std::isless(extra, end)) insert(cuts, count, extra);
   for (const double target : {0.0, law.critical_flux, -law.critical_flux}) {
     const int found = std::isfinite(target) ? crossings(segment, c - target, start, end, y) : 0;
     for (int k = 0; k < found; ++k) {

@@ -69,7 +69,7 @@ GroundMotion read_table(std::ifstream& stream, const std::filesystem::path& file
     if (count == 1) motion.sample_step = time - motion.start;
     if (count >= 1) {
       const double step = time - before;
-      if (!(step > 0.0))
+      if (!(step > 0.0 && std::isfinite(step)))
         refuse(file, line,
                "time " + std::string(words[0]) + " does not follow the one before; accepted: ascending times");
       if (std::abs(step - motion.sample_step) > step_change * motion.sample_step &&
@@ -92,6 +92,7 @@ GroundMotion read_at2(std::ifstream& stream, const std::filesystem::path& file) 
   GroundMotion motion;
   std::string text;
   double points = 0.0;
+  std::string shown_points;
   std::size_t line = 1;
   for (; line <= 4 && std::getline(stream, text); ++line) {
     if (line < 4) continue;
@@ -99,7 +100,10 @@ GroundMotion read_at2(std::ifstream& stream, const std::filesystem::path& file) 
     std::replace(heading.begin(), heading.end(), '=', ' ');
     const std::vector<std::string_view> words = words_of(heading);
     for (std::size_t i = 0; i + 1 < words.size(); ++i) {
-      if (words[i] == "NPTS") points = finite_number(file, line, words[i + 1], "NPTS");
+      if (words[i] == "NPTS") {
+        points = finite_number(file, line, words[i + 1], "NPTS");
+        shown_points = words[i + 1];
+      }
       if (words[i] == "DT") motion.sample_step = finite_number(file, line, words[i + 1], "DT");
     }
     if (!(points >= 2.0)) refuse(file, line, "NPTS is missing or less than 2; accepted: \"NPTS= 4000, DT= .01 SEC\"");
@@ -108,14 +112,14 @@ GroundMotion read_at2(std::ifstream& stream, const std::filesystem::path& file) 
   }
   for (; std::getline(stream, text); ++line) {
     for (const std::string_view word : words_of(text)) {
-      motion.acceleration.push_back(standard_gravity * finite_number(file, line, word, "acceleration"));
+      const double value = standard_gravity * finite_number(file, line, word, "acceleration");
+      if (!std::isfinite(value)) refuse(file, line, "acceleration: \"" + std::string(word) + "\" g is not finite");
+      motion.acceleration.push_back(value);
     }
   }
   if (static_cast<double>(motion.acceleration.size()) != points &&
       !numerics::planted_fault("dynamics/record-believed")) {
-    refuse(file, line,
-           "has " + std::to_string(motion.acceleration.size()) + " samples, but NPTS says " +
-               std::to_string(static_cast<long long>(points)));
+    refuse(file, line, "has " + std::to_string(motion.acceleration.size()) + " samples, but NPTS says " + shown_points);
   }
   return motion;
 }
@@ -148,6 +152,9 @@ GroundMotion read_ground_motion(const std::filesystem::path& file) {
   if (motion.acceleration.size() < 2) {
     throw RecordError(file.string() + ": has " + std::to_string(motion.acceleration.size()) +
                       " sample(s); accepted: two or more");
+  }
+  if (!std::isfinite(motion.start) || !std::isfinite(motion.end() - motion.start)) {
+    throw RecordError(file.string() + ": its samples span more time than a number holds");
   }
   return motion;
 }

@@ -10,6 +10,7 @@
 
 #include "solver/mesh/mesh_error.hpp"
 #include "solver/mesh/msh_content.hpp"
+#include "solver/numerics/untrapped_floats.hpp"
 
 namespace sunder::mesh {
 namespace {
@@ -41,6 +42,7 @@ class Session {
     return only;
   }
   std::lock_guard<std::mutex> lock_;
+  numerics::UntrappedFloats untrapped_;
 };
 
 /// Runs the action in a session; anything gmsh throws comes out as MeshError "<what>: <gmsh's words>".

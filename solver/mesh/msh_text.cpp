@@ -1,5 +1,7 @@
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
+#include <limits>
 #include <map>
 #include <string_view>
 
@@ -139,6 +141,13 @@ class Parser {
     words_.expect("$EndPhysicalNames");
   }
 
+  /// Of a physical curve; its sign is the sense in which it is run along.
+  int physical_number() {
+    const int number = words_.number<int>("a physical number");
+    if (number == std::numeric_limits<int>::min()) words_.fail(std::to_string(number) + " is no physical number");
+    return std::abs(number);
+  }
+
   std::string curve_name(int physical) const {
     const auto at = curve_names_.find(physical);
     return at == curve_names_.end() ? std::to_string(physical) : at->second;
@@ -153,8 +162,8 @@ class Parser {
         for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k) words_.number<double>("a coordinate");
         const long physicals = words_.count("number of physical groups");
         for (long k = 0; k < physicals; ++k) {
-          const int physical = words_.number<int>("a physical number");
-          if (dimension == 1) physicals_of_curve_[tag].push_back(std::abs(physical));
+          const int physical = physical_number();
+          if (dimension == 1) physicals_of_curve_[tag].push_back(physical);
         }
         if (dimension == 0) continue;
         const long bounds = words_.count("number of bounding entities");
@@ -233,8 +242,8 @@ class Parser {
       const long tags = words_.count("number of tags");
       std::vector<std::string> names;
       for (long k = 0; k < tags; ++k) {
-        const int tag = words_.number<int>("a tag");
-        if (k == 0 && tag != 0 && type == 1) names = {curve_name(std::abs(tag))};
+        const int tag = k == 0 ? physical_number() : words_.number<int>("a tag");
+        if (k == 0 && tag != 0 && type == 1) names = {curve_name(tag)};
       }
       element(type, names);
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "solver/mesh/mesh_error.hpp"
 #include "solver/mesh/words.hpp"
 
 namespace sunder::mesh {
@@ -86,6 +87,12 @@ std::vector<double> division(const Point& a, const Point& b, const SizeField& fi
     knots.push_back(s);
     weight.push_back(weight.back() + part);
   });
+  // The equations of a polygon are dense: an edge of so many pieces alone would take gigabytes.
+  constexpr double most_pieces = 10'000.0;
+  if (!(weight.back() <= most_pieces)) {
+    throw MeshError("the edge from " + place(a) + " to " + place(b) + " would be divided into " +
+                    number(weight.back()) + " pieces; accepted: at most 10000, a larger size of the edges");
+  }
   const int count = std::max(1, static_cast<int>(std::ceil(weight.back() - 1e-9)));
   std::vector<double> t;
   std::size_t i = 0;

@@ -45,7 +45,8 @@ double pieces(const Point& a, const Point& b, const SizeField& field);
 
 /// Parameters 0 < t_1 < … < 1 that divide the segment a b into pieces that follow the field: equal parts of ∫ ds /
 /// size, as few as keep every piece's part <= 1. Dividing b a gives the same places to round-off. Close to a refinement
-/// of radius and size h the pieces grow like a geometric series of ratio about e^growth.
+/// of radius and size h the pieces grow like a geometric series of ratio about e^growth. Throws MeshError where they
+/// would be more than 10000.
 std::vector<double> division(const Point& a, const Point& b, const SizeField& field);
 
 }  // namespace sunder::mesh

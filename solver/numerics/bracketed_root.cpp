@@ -32,7 +32,7 @@ class Search {
       result_.status = RootStatus::not_finite;
       return true;
     }
-    if (!(std::abs(result_.residual) <= std::abs(last_.value))) {
+    if (!std::islessequal(std::abs(result_.residual), std::abs(last_.value))) {  // quiet: not a number before the first
       result_.root = x;
       result_.residual = last_.value;
     }
@@ -86,7 +86,7 @@ class Search {
       result_.status = RootStatus::not_finite;
       return true;
     }
-    if (!(std::abs(result_.residual) <= std::abs(last_.value))) {
+    if (!std::islessequal(std::abs(result_.residual), std::abs(last_.value))) {  // quiet: not a number before the first
       result_.root = x;
       result_.residual = last_.value;
     }
@@ -179,7 +179,8 @@ void newton(Search& search, double guess) {
   if (search.visit_bounds()) return;
   BracketedRoot& bracket = search.result();
   const double a = bracket.lower, b = bracket.upper, fa = bracket.residual_lower, fb = bracket.residual_upper;
-  double x = guess > a && guess < b ? guess : (fb * a - fa * b) / (fb - fa);
+  const bool usable = std::isgreater(guess, a) && std::isless(guess, b);  // quiet: no guess is not a number
+  double x = usable ? guess : (fb * a - fa * b) / (fb - fa);
   if (!(x > a && x < b)) x = search.middle();
   int slow = 0;
   double before = std::numeric_limits<double>::infinity(), probe = 0.0;

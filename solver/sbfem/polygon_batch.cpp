@@ -168,7 +168,7 @@ void double_rings(PolygonBatch<S>& b) {
     // NaN is never small; it leaves `active` and keeps `converged` 0.
     const S small = greater(size * finished * finished, coupling);
     const S close = greater(size * nearly * nearly, coupling);
-    const S defined = greater(size * S(1e300), coupling);
+    const S defined = greater(size, coupling * S(1e-300));
     b.converged = choose(active * small, S(1.0), b.converged);
     active = active * defined * (S(1.0) - small);
     if (!any(active) || merge == ring_doubling_most_merges) break;

@@ -131,6 +131,8 @@ Node& descend(Node& from, const Step& step, bool list_follows, const Override& g
 
 }  // namespace
 
+Node::Node() = default;
+
 const Node* Node::find(std::string_view key) const {
   for (const auto& [name, value] : table)
     if (name == key) return &value;

@@ -31,6 +31,7 @@ struct Node {
   std::vector<Node> list;
   Entries table;  ///< in the order of the file
 
+  Node();  // elsewhere: to say here that it is implicit asks for a whole Node inside of itself
   const Node* find(std::string_view key) const;
   bool has(std::string_view key) const { return find(key) != nullptr; }
 };

@@ -12,7 +12,11 @@ namespace sunder::scene {
 
 class Findings {
  public:
-  Findings(std::string file, std::span<const Override> overrides) : file_(std::move(file)), overrides_(overrides) {}
+  Findings(std::string file, std::span<const Override> overrides, NumberFilter filter = {})
+      : file_(std::move(file)), overrides_(overrides), filter_(std::move(filter)) {}
+
+  /// The sound number as the scene shall have it.
+  double filtered(double value) const { return filter_ ? filter_(value) : value; }
 
   /// `key: what`, at `origin`.
   void add(const Origin& origin, std::string_view key, std::string_view what);
@@ -29,6 +33,7 @@ class Findings {
   };
   std::string file_;
   std::span<const Override> overrides_;
+  NumberFilter filter_;
   std::vector<Finding> found_;
 };
 

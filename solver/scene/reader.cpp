@@ -54,10 +54,11 @@ void complete(Scene& scene) {
 
 }  // namespace
 
-Scene read_scene_text(std::string_view text, const std::filesystem::path& name, std::span<const Override> overrides) {
+Scene read_scene_text(std::string_view text, const std::filesystem::path& name, std::span<const Override> overrides,
+                      const NumberFilter& filter) {
   Node document = parse_document(text, name.string());
   apply_overrides(document, overrides);
-  Findings findings(name.string(), overrides);
+  Findings findings(name.string(), overrides, filter);
   Scene scene;
   scene.file = name;
   read_tables(document, scene, findings);
@@ -68,14 +69,14 @@ Scene read_scene_text(std::string_view text, const std::filesystem::path& name, 
   return scene;
 }
 
-Scene read_scene(const std::filesystem::path& file, std::span<const Override> overrides) {
+Scene read_scene(const std::filesystem::path& file, std::span<const Override> overrides, const NumberFilter& filter) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) throw SceneError(file.string() + ": is a folder, not a scene");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw SceneError(file.string() + ": cannot be opened; accepted: a scene, one TOML file");
   const std::string text(std::istreambuf_iterator<char>(stream), {});
   if (stream.bad()) throw SceneError(file.string() + ": cannot be read");
-  return read_scene_text(text, file, overrides);
+  return read_scene_text(text, file, overrides, filter);
 }
 
 Override parse_override(std::string_view text) {

@@ -58,7 +58,7 @@ void read_value(const Node& node, double& out, const Reading& reading) {
     return;
   }
   if (!number || !std::isfinite(node.number) || !range.holds(node.number)) return reading.wrong(node, "a number");
-  out = node.number;
+  out = reading.findings.filtered(node.number);
 }
 
 void read_value(const Node& node, int& out, const Reading& reading) {

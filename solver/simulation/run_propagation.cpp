@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "solver/crack/body.hpp"
@@ -133,7 +134,9 @@ void run_propagation(const scene::Scene& scene, const Body& body, const RunOptio
   solve(scene, law, notch_lengths, pool, ledger, now);
   std::string end;
   for (int step = 0; now.solved(); ++step) {
-    record.add_state(now.body, now.state, now.tips, now.decisions, law.fracture_toughness / now.largest_factor);
+    record.add_state(now.body, now.state, now.tips, now.decisions,
+                     now.largest_factor > 0.0 ? law.fracture_toughness / now.largest_factor
+                                              : std::numeric_limits<double>::infinity());
     end = end_of(scene, now, step);
     if (!end.empty()) break;
     if (options.stop != nullptr && options.stop->load()) {

@@ -47,6 +47,8 @@ Node converted(const toml::node& node) {
 
 }  // namespace
 
+Node::Node() = default;
+
 const Node* Node::find(std::string_view key) const {
   for (const auto& [name, value] : table)
     if (name == key) return &value;

@@ -22,6 +22,7 @@ struct Node {
   std::vector<Node> list;
   std::vector<std::pair<std::string, Node>> table;  ///< in the order of the file
 
+  Node();  // elsewhere: to say here that it is implicit asks for a whole Node inside of itself
   const Node* find(std::string_view key) const;
   bool is_number() const { return kind == Kind::number || kind == Kind::integer; }
 };

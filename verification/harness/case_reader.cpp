@@ -83,9 +83,11 @@ void read_reference_csv(CaseTable& table, const Node& node, const CaseFolders& f
   if (table.find("rows")) {  // indices of the rows that are meant
     std::vector<double> values, abscissae;
     for (const double row : table.numbers("rows")) {
+      if (!(row >= 0.0 && row < static_cast<double>(reference.values.size())) || row != std::floor(row))
+        table.fail(node, "rows",
+                   "indices from 0, less than the " + std::to_string(reference.values.size()) +
+                       " rows of the file, are needed");
       const auto i = static_cast<std::size_t>(row);
-      if (!(row >= 0.0) || row != std::floor(row) || i >= reference.values.size())
-        table.fail(node, "rows", "indices from 0 to " + std::to_string(reference.values.size() - 1) + " are needed");
       values.push_back(reference.values[i]);
       if (!reference.abscissae.empty()) abscissae.push_back(reference.abscissae[i]);
     }
@@ -146,6 +148,11 @@ Sweep read_sweep(CaseTable table) {
     sweep.keys.emplace_back(path, std::move(values));
   });
   if (sweep.keys.empty()) table.fail(keys, "keys", "a sweep needs at least one key");
+  constexpr double most_settings = 10'000;  // of a product, whose settings are all made before the first runs
+  double product = 1.0;
+  for (const auto& [key, values] : sweep.keys) product *= static_cast<double>(values.size());
+  if (sweep.product && product > most_settings)
+    table.fail(keys, "keys", "at most 10000 settings; these are too many combinations");
   for (const std::string& key : sweep.series)
     if (std::none_of(sweep.keys.begin(), sweep.keys.end(), [&](const auto& entry) { return entry.first == key; }))
       table.fail_here("series", "the sweep has no key \"" + key + "\"");

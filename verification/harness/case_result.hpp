@@ -95,6 +95,7 @@ struct CaseResult {
   std::optional<int> first_failing_rung;  ///< of a ladder: index of the first rung that was not right; the number of
                                           ///< rungs where all were
   std::vector<std::pair<std::string, std::vector<double>>> pins;  ///< values measured for pin checks and the ladder
+  std::vector<std::pair<std::string, double>> digits_trusted;     ///< by quantity; only where the input was jittered
   std::vector<NegativeOutcome> negatives;                         ///< only from `negatives`
   double cpu_seconds = 0.0;                                       ///< of the whole case
   long peak_bytes = 0;

@@ -92,6 +92,7 @@ class Parser {
     }
   }
   Values signed_power() {
+    const Depth depth(*this);
     if (take('-')) return combine({-1.0}, signed_power(), [](double a, double b) { return a * b; });
     Values base = primary();
     if (take('^')) return combine(base, signed_power(), [](double a, double b) { return std::pow(a, b); });
@@ -165,9 +166,24 @@ class Parser {
     return result;
   }
 
+  /// Every bracket, sign and exponent comes by here; the stack of the program has an end.
+  class Depth {
+   public:
+    explicit Depth(Parser& parser) : depth_(parser.depth_) {
+      if (++depth_ > 200) parser.fail("a formula of less than 200 levels");
+    }
+    ~Depth() { --depth_; }
+    Depth(const Depth&) = delete;
+    Depth& operator=(const Depth&) = delete;
+
+   private:
+    int& depth_;
+  };
+
   std::string_view text_;
   const Lookup& lookup_;
   std::size_t position_ = 0;
+  int depth_ = 0;
 };
 
 void append_numbers(const results::Quantity& quantity, Values& values) {

@@ -23,15 +23,21 @@ namespace {
 
 constexpr int out_of_memory = 90, threw = 91, cut_off = 92;  // exit statuses of the child besides 0
 
-void limit_memory(double gibibytes) {
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // sanitizers reserve terabytes of addresses
-  if (!(gibibytes > 0.0)) return;
-  const auto bytes = static_cast<rlim_t>(gibibytes * 1024.0 * 1024.0 * 1024.0);
-  const rlimit limit{bytes, bytes};
-  setrlimit(RLIMIT_AS, &limit);
+/// Sanitizers reserve terabytes of addresses.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool sanitized = true;
+#elif defined(__has_feature)
+constexpr bool sanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
 #else
-  static_cast<void>(gibibytes);
+constexpr bool sanitized = false;
 #endif
+
+void limit_memory(double gibibytes) {
+  if (gibibytes > 0.0 && !sanitized) {
+    const auto bytes = static_cast<rlim_t>(gibibytes * 1024.0 * 1024.0 * 1024.0);
+    const rlimit limit{bytes, bytes};
+    setrlimit(RLIMIT_AS, &limit);
+  }
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
 }

@@ -16,6 +16,7 @@
 #include "verification/harness/fault_names.hpp"
 #include "verification/harness/faults.hpp"
 #include "verification/harness/isolation.hpp"
+#include "verification/harness/jitter.hpp"
 #include "verification/harness/junit.hpp"
 #include "verification/harness/kill_matrix.hpp"
 #include "verification/harness/negatives.hpp"
@@ -34,8 +35,8 @@ constexpr int all_right = 0, something_failed = 1, unusable_input = 2;
 struct Arguments {
   std::string root, id, label, family, output, junit, commit, records;
   std::vector<std::string> faults;
-  bool repeat = false, update_pins = false, in_process = false, write = false;
-  int threads = 1;
+  bool repeat = false, update_pins = false, in_process = false, write = false, trap = false;
+  int threads = 1, other_threads = 0;
   double timeout = 0.0;
 };
 
@@ -105,11 +106,15 @@ bool shows_run_time(const Case& entry) {
   return entry.sweep && !entry.sweep->error.empty() && !entry.ladder;
 }
 
+enum class Command { run, negatives, jitter };
+
 RunnerOptions options_of(const Case& entry, const Arguments& arguments) {
   return {.threads = arguments.threads,
           .pins = read_pins(entry),
           .today = today(),
-          .repeat = arguments.repeat && shows_run_time(entry)};
+          .repeat = arguments.repeat && shows_run_time(entry),
+          .other_threads = arguments.other_threads,
+          .trap = arguments.trap};
 }
 
 /// Runs the case as often as it is asked to, each time with what is planted before and read after.
@@ -125,10 +130,12 @@ RunCase with_faults_of(const Case& entry, const Arguments& arguments) {
   };
 }
 
-CaseResult run_entry(const Case& entry, const Arguments& arguments, bool with_faults) {
-  if (with_faults) return run_negatives(entry, *fault_control(), with_faults_of(entry, arguments));
-  const Study& study = study_of(entry);
+CaseResult run_entry(const Case& entry, const Arguments& arguments, Command command) {
+  if (command == Command::negatives) return run_negatives(entry, *fault_control(), with_faults_of(entry, arguments));
   const RunnerOptions options = options_of(entry, arguments);
+  if (command == Command::jitter)
+    return run_here_or_isolated(jitter_case(entry), arguments, [&] { return run_jitter_case(entry, options); });
+  const Study& study = study_of(entry);
   return run_here_or_isolated(entry, arguments, [&] { return run_case(entry, study, options); });
 }
 
@@ -148,7 +155,7 @@ int matrix(const Arguments& arguments, const CaseFolders& folders) {
   return status;
 }
 
-int run(const Arguments& arguments, const CaseFolders& folders, bool with_faults) {
+int run(const Arguments& arguments, const CaseFolders& folders, Command command) {
   Selection selection = select_cases(arguments, folders);
   if (selection.cases.empty() && selection.unreadable.empty()) throw std::runtime_error("no case matches");
   Environment from = environment(arguments.threads, arguments.commit);
@@ -163,9 +170,10 @@ int run(const Arguments& arguments, const CaseFolders& folders, bool with_faults
   };
   for (CaseResult& result : selection.unreadable) finish(std::move(result));
   for (const Case& entry : selection.cases) {
-    if (with_faults && entry.negatives.empty()) continue;
+    if (command == Command::negatives && entry.negatives.empty()) continue;
+    if (command == Command::jitter && entry.study != "scene" && arguments.id.empty()) continue;
     try {
-      CaseResult result = run_entry(entry, arguments, with_faults);
+      CaseResult result = run_entry(entry, arguments, command);
       if (arguments.update_pins) {
         write_pins(entry, result);
         std::cout << "pins of " << entry.id << " stored\n";
@@ -242,7 +250,7 @@ int catalogue(const Arguments& arguments, const CaseFolders& folders, const fs::
 int doctor(const Arguments& arguments, const CaseFolders& folders, const fs::path& numbers) {
   const auto begin = std::chrono::steady_clock::now();
   const auto readings = read_numbers(read_doctor_numbers(numbers), [&](const std::string& id) {
-    return run_entry(read_case(folders.cases / (id + ".case.toml"), folders), arguments, false);
+    return run_entry(read_case(folders.cases / (id + ".case.toml"), folders), arguments, Command::run);
   });
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
   std::cout << doctor_text(readings, passed.count());
@@ -269,6 +277,12 @@ int main(int argc, char** argv) {
     command->add_option("--junit", arguments.junit, "File of results to write as JUnit XML");
     command->add_option("--commit", arguments.commit, "Commit to name in the records");
     command->add_option("--threads", arguments.threads, "Threads of a run")->check(CLI::Range(1, 1024));
+    command
+        ->add_option("--other-threads", arguments.other_threads,
+                     "Run each setting once more with so many threads; the bits must be the same")
+        ->check(CLI::Range(1, 1024));
+    command->add_flag("--trap", arguments.trap,
+                      "Invalid operations, divisions by zero and overflows end the case where they happen");
     command->add_option("--timeout", arguments.timeout, "Wall seconds for a case, instead of those of its tier");
     command->add_flag("--in-process", arguments.in_process, "Run in this process, for debuggers");
   };
@@ -282,6 +296,9 @@ int main(int argc, char** argv) {
   CLI::App* negatives_command =
       app.add_subcommand("negatives", "Plant the faults that the cases name; their checks must fail");
   runs(negatives_command);
+  CLI::App* jitter_command = app.add_subcommand(
+      "jitter", "Run scenes thirty times with every number moved by its last bit: the digits that may be trusted");
+  runs(jitter_command);
   CLI::App* doctor_command =
       app.add_subcommand("doctor", "Ten numbers that should appear: is this installation sound?");
   doctor_command->footer("Exit status: 0 the installation is sound, 1 a number is wrong, 2 the cases cannot be read.");
@@ -312,7 +329,8 @@ int main(int argc, char** argv) {
     if ((*negatives_command || *matrix_command) && !fault_control())
       throw std::runtime_error("this program holds no faults; sunder-verify-faulted does");
     if (*matrix_command) return matrix(arguments, folders);
-    return run(arguments, folders, static_cast<bool>(*negatives_command));
+    return run(arguments, folders,
+               *negatives_command ? Command::negatives : (*jitter_command ? Command::jitter : Command::run));
   } catch (const std::exception& error) {
     std::cerr << "sunder-verify: " << error.what() << "\n";
     return unusable_input;

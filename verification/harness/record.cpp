@@ -1,9 +1,11 @@
 #include "verification/harness/record.hpp"
 
+#include <cstdint>
 #include <fstream>
 #include <limits>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -14,6 +16,15 @@ using Json = nlohmann::ordered_json;
 
 double number(const Json& json) {
   return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+/// A fraction, or what no whole number holds, is not cut off in silence.
+template <class Integer = int>
+Integer whole(const Json& json) {
+  const bool fits = json.is_number_unsigned()
+                        ? std::in_range<Integer>(json.get<std::uint64_t>())
+                        : json.is_number_integer() && std::in_range<Integer>(json.get<std::int64_t>());
+  if (!fits) throw std::runtime_error(json.dump() + " is no whole number that is accepted here");
+  return json.get<Integer>();
 }
 std::vector<double> number_list(const Json& json) {
   std::vector<double> values;
@@ -82,7 +93,7 @@ OrderEstimate order_from(const Json& json) {
           number_list(json.at("pairwise")),
           number(json.at("extrapolated")),
           number(json.at("convergence_index")),
-          json.at("levels_used")};
+          whole(json.at("levels_used"))};
 }
 
 Json check_json(const CheckOutcome& check) {
@@ -109,8 +120,8 @@ CheckOutcome check_from(const Json& json) {
   check.error = number(json.at("error"));
   check.tolerance = number(json.at("tolerance"));
   check.slack = number(json.at("slack"));
-  check.compared = json.at("compared");
-  check.setting = json.at("setting");
+  check.compared = whole(json.at("compared"));
+  check.setting = whole(json.at("setting"));
   check.message = json.value("message", "");
   if (json.contains("orders"))
     for (const Json& order : json["orders"]) check.orders.push_back(order_from(order));
@@ -147,17 +158,17 @@ SettingRow setting_from(const Json& json) {
   SettingRow row;
   for (const auto& [key, text] : json.at("keys").items()) row.keys.emplace_back(key, text.get<std::string>());
   for (const auto& [name, error] : json.at("errors").items()) row.errors.emplace_back(name, number(error));
-  for (const auto& [name, count] : json.at("counts").items()) row.counts.emplace_back(name, count.get<long long>());
+  for (const auto& [name, count] : json.at("counts").items()) row.counts.emplace_back(name, whole<long long>(count));
   for (const Json& part : json.at("parts"))
-    row.parts.push_back(
-        {part.at("part"), part.at("calls"), part.at("matrix_entries"), number(part.at("seconds")), part.at("bytes")});
+    row.parts.push_back({part.at("part"), whole<long>(part.at("calls")), whole<long long>(part.at("matrix_entries")),
+                         number(part.at("seconds")), whole<long long>(part.at("bytes"))});
   row.standard = json.at("default");
   row.status = status(json.at("status"));
   row.cpu_seconds = number(json.at("cpu_seconds"));
   row.cpu_spread = number(json.at("cpu_spread"));
-  row.repeats = json.at("repeats");
-  row.dofs = json.at("dofs");
-  row.peak_bytes = json.at("peak_bytes");
+  row.repeats = whole(json.at("repeats"));
+  row.dofs = whole<long>(json.at("dofs"));
+  row.peak_bytes = whole<long>(json.at("peak_bytes"));
   row.message = json.value("message", "");
   return row;
 }
@@ -223,6 +234,7 @@ std::string to_json(const CaseResult& result, const Environment& from) {
   if (result.first_failing_rung) json["first_failing_rung"] = *result.first_failing_rung;
   json["pins"] = Json::object();
   for (const auto& [name, values] : result.pins) json["pins"][name] = values;
+  for (const auto& [name, digits] : result.digits_trusted) json["digits_trusted"][name] = digits;
   json["negatives"] = Json::array();
   for (const NegativeOutcome& negative : result.negatives)
     json["negatives"].push_back({{"fault", negative.fault},
@@ -238,7 +250,7 @@ CaseResult from_json(const std::string& line) {
     const Json json = Json::parse(line);
     CaseResult result;
     result.id = json.at("id");
-    result.version = json.at("version");
+    result.version = whole(json.at("version"));
     result.family = json.at("family");
     result.tier = json.at("tier");
     result.title = json.at("title");
@@ -246,14 +258,17 @@ CaseResult from_json(const std::string& line) {
     result.status = status(json.at("status"));
     result.message = json.at("message");
     result.cpu_seconds = number(json.at("cpu_seconds"));
-    result.peak_bytes = json.at("peak_bytes");
+    result.peak_bytes = whole<long>(json.at("peak_bytes"));
     for (const Json& reference : json.at("references")) result.references.push_back(reference_from(reference));
     for (const Json& check : json.at("checks")) result.checks.push_back(check_from(check));
     result.error_check = json.at("sweep").at("error");
     result.series = json.at("sweep").at("series");
     for (const Json& row : json.at("settings")) result.settings.push_back(setting_from(row));
-    if (json.contains("first_failing_rung")) result.first_failing_rung = json["first_failing_rung"].get<int>();
+    if (json.contains("first_failing_rung")) result.first_failing_rung = whole(json["first_failing_rung"]);
     for (const auto& [name, values] : json.at("pins").items()) result.pins.emplace_back(name, number_list(values));
+    if (json.contains("digits_trusted"))
+      for (const auto& [name, digits] : json["digits_trusted"].items())
+        result.digits_trusted.emplace_back(name, number(digits));
     for (const Json& negative : json.at("negatives")) result.negatives.push_back(negative_from(negative));
     return result;
   } catch (const Json::exception& error) {

@@ -46,6 +46,8 @@ std::string report_text(const CaseResult& result) {
   if (result.first_failing_rung)
     text += "  first failing rung " + std::to_string(*result.first_failing_rung) + " of " +
             std::to_string(result.settings.size()) + "\n";
+  for (const auto& [name, digits] : result.digits_trusted)
+    text += "  " + short_number(digits) + " digits of " + name + "\n";
   for (const NegativeOutcome& negative : result.negatives) {
     text += "  " + std::string(word(negative.verdict)) + "  " + negative.fault + ": red";
     for (const std::string& name : negative.red) text += " " + name;

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "verification/harness/float_traps.hpp"
 #include "verification/harness/measure.hpp"
 #include "verification/harness/statistics.hpp"
 #include "verification/harness/verdict.hpp"
@@ -16,13 +17,24 @@
 namespace sunder::verification {
 namespace {
 
-/// Every number of the quantities, in order: what must be the same bits in every repeat.
+/// Every number of the quantities, in order.
 void append_bits(const results::Quantity& quantity, Values& bits) {
   if (const double* number = quantity.number()) bits.push_back(*number);
   if (const auto* list = quantity.list())
     for (const auto& entry : *list) append_bits(entry, bits);
   if (const auto* table = quantity.table())
     for (const auto& [name, entry] : *table) append_bits(entry, bits);
+}
+
+/// What must be the same bits in every repeat and for any number of threads.
+Values bits_of(const results::RunSummary& summary) {
+  Values bits;
+  append_bits(summary.quantities, bits);
+  if (summary.history)
+    for (std::size_t row = 0; row < summary.history->rows(); ++row)
+      for (std::size_t column = 0; column < summary.history->columns().size(); ++column)
+        bits.push_back(summary.history->at(row, column));
+  return bits;
 }
 
 bool same_bits(const Values& a, const Values& b) {
@@ -41,11 +53,12 @@ std::string not_finite(const results::Quantity& quantity, const std::string& nam
   return "";
 }
 
-void run_once(const Study& study, const StudyInput& input, SettingRun& run) {
+void run_once(const Study& study, const StudyInput& input, bool trap, SettingRun& run) {
   run.output = {};
   run.row.status = Status::pass;
   run.row.message.clear();
   try {
+    const FloatTraps traps(trap);
     run.output = study(input);
     if (!run.output.refusal.empty()) {
       run.row.status = Status::refused;
@@ -76,6 +89,22 @@ void run_once(const Study& study, const StudyInput& input, SettingRun& run) {
   }
 }
 
+/// The setting once more with another number of threads: the same verdict, and the same bits where it has any.
+void compare_threads(const Study& study, StudyInput input, const RunnerOptions& options, SettingRun& run) {
+  if (run.row.status == Status::broken_invariant) return;
+  input.threads = options.other_threads;
+  SettingRun other;
+  run_once(study, input, options.trap, other);
+  const std::string who = std::to_string(options.other_threads) + " threads ";
+  if (other.row.status != run.row.status)
+    run.row.message = who + "end otherwise: " + std::string(word(other.row.status)) + ": " + other.row.message;
+  else if (!same_bits(bits_of(run.output.summary), bits_of(other.output.summary)))
+    run.row.message = who + "give other bits than " + std::to_string(options.threads);
+  else
+    return;
+  run.row.status = Status::broken_invariant;
+}
+
 SettingRun run_setting(const Case& verification_case, const Study& study, const Setting& setting,
                        const RunnerOptions& options) {
   SettingRun run;
@@ -97,11 +126,10 @@ SettingRun run_setting(const Case& verification_case, const Study& study, const 
   const double begin = cpu_seconds();
   do {
     const double before = cpu_seconds();
-    run_once(study, input, run);
+    run_once(study, input, options.trap, run);
     times.push_back(cpu_seconds() - before);
     if (run.row.status != Status::pass) break;
-    Values bits;
-    append_bits(run.output.summary.quantities, bits);
+    Values bits = bits_of(run.output.summary);
     if (times.size() == 1) {
       first = std::move(bits);
     } else if (!same_bits(first, bits)) {
@@ -112,6 +140,8 @@ SettingRun run_setting(const Case& verification_case, const Study& study, const 
   } while (options.repeat && static_cast<int>(times.size()) < options.most_repeats &&
            cpu_seconds() - begin < options.most_seconds && relative_spread(median_interval(times)) > options.spread);
 
+  if (options.other_threads > 0) compare_threads(study, input, options, run);
+
   const MedianEstimate estimate = median_interval(times);
   run.row.cpu_seconds = estimate.median;
   run.row.cpu_spread = times.size() < 2 ? 0.0 : 0.5 * (estimate.high - estimate.low) / estimate.median;
@@ -121,6 +151,17 @@ SettingRun run_setting(const Case& verification_case, const Study& study, const 
   run.row.parts = run.output.summary.parts;
   run.row.counts = run.output.summary.counts;
   return run;
+}
+
+/// Every number below the quantity with its path: "tips[0].K_I".
+void append_named(const results::Quantity& quantity, const std::string& path,
+                  std::vector<std::pair<std::string, double>>& named) {
+  if (const double* number = quantity.number()) named.emplace_back(path, *number);
+  if (const auto* list = quantity.list())
+    for (std::size_t i = 0; i < list->size(); ++i)
+      append_named((*list)[i], path + "[" + std::to_string(i) + "]", named);
+  if (const auto* table = quantity.table())
+    for (const auto& [name, entry] : *table) append_named(entry, path.empty() ? name : path + "." + name, named);
 }
 
 CaseResult head_of(const Case& verification_case) {
@@ -213,6 +254,10 @@ CaseResult run_case(const Case& verification_case, const Study& study, const Run
                                .basis = "specification",
                                .compared = 1,
                                .message = run.row.message});
+    if (const auto* digits = run.output.summary.quantities.find("digits")) {
+      result.digits_trusted.clear();
+      append_named(*digits, "", result.digits_trusted);  // of the last setting
+    }
     result.settings.push_back(std::move(run.row));
   }
   result.status = worst(result.checks);

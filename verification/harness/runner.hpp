@@ -22,6 +22,8 @@ struct RunnerOptions {
   double spread = 0.05;    ///< … that is, half-width of its 95 % interval ≤ spread · median
   int most_repeats = 31;
   double most_seconds = 2.0;  ///< CPU seconds after which a setting is not repeated again
+  int other_threads = 0;      ///< > 0: each setting runs once more with so many threads and must give the same bits
+  bool trap = false;          ///< what makes a NaN or an infinity in a study ends the process (float_traps.hpp)
 };
 
 /// Never throws for what the study does: that is a status. The result of every repeat must be the same bits.

@@ -124,6 +124,12 @@ TEST_F(Record, WhatIsWrongIsNamedWithItsLine) {
   EXPECT_NE(refusal("h.csv", "time,acceleration\n").find("0 sample(s)"), std::string::npos);
   EXPECT_NE(refusal("i.at2", "a\nb\nc\nNPTS= 3, DT= .01\n1 2\n").find("has 2 samples, but NPTS says 3"),
             std::string::npos);
+  EXPECT_NE(refusal("j.at2", "a\nb\nc\nNPTS= 1e300, DT= .01\n1 2\n").find("but NPTS says 1e300"), std::string::npos);
+  EXPECT_NE(refusal("k.at2", "a\nb\nc\nNPTS= 2, DT= .01\n1 1e308\n").find("\"1e308\" g is not finite"),
+            std::string::npos);
+  EXPECT_NE(refusal("l.at2", "a\nb\nc\nNPTS= 3, DT= 1e308\n1 2 3\n").find("more time than a number holds"),
+            std::string::npos);
+  EXPECT_NE(refusal("m.csv", "-1e308,0\n1e308,1\n").find("does not follow"), std::string::npos);
   EXPECT_THROW((void)read_ground_motion("nowhere/at/all.csv"), RecordError);
 }
 

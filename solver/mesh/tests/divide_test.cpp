@@ -27,6 +27,15 @@ TEST(Divide, LongEdgesOfAllPolygonsAndBoundaries) {
   EXPECT_NEAR(total_area(mesh) / moments(koyna().vertices).area, 1.0, 1e-12);
 }
 
+TEST(Divide, RefusesMorePiecesThanAPolygonCanBear) {
+  PolygonMesh mesh = square_grid(rectangle(3, 3), 1.0);
+  for (const double size : {9e-5, 1e-12, 1e-300}) {
+    const std::string words = mesh_error([&] { divide_long_edges(mesh, {.size = size}); });
+    EXPECT_NE(words.find("pieces; accepted: at most 10000"), std::string::npos) << size << ": " << words;
+  }
+  EXPECT_EQ(mesh.vertices.size(), 16u);
+}
+
 TEST(Divide, OnePolygonGetsItsEdgesAndItsNeighboursList) {
   PolygonMesh mesh = square_grid(rectangle(3, 3), 1.0);
   divide_polygon(mesh, 4, 16);

@@ -129,6 +129,7 @@ TEST_F(MshFile, RefusesWithFileLineAndReason) {
       {"second order", with("7 2 2 1 1 3 20 12", "7 9 2 1 1 3 20 12 1 2 10"),
        "body.msh:28: element type 9; lines (1), triangles (2)"},
       {"node twice", with("99 50 50 0", "20 50 50 0"), "node 20 stands twice"},
+      {"a tag without opposite", with("4 1 2 7 2 10 1", "4 1 2 -2147483648 2 10 1"), "is no physical number"},
       {"out of plane", with("20 3 0 0", "20 3 0 1"), "lie at z = 0 and 1; the mesh must lie in a plane"},
       {"line off the cells", with("4 1 2 7 2 10 1", "4 1 2 7 2 10 2"),
        "body.msh:25: the line from node 10 to 2 of the physical curve \"7\" is no edge"},

@@ -277,5 +277,19 @@ TEST(Overrides, AreSplitAtTheFirstEqualsSign) {
   EXPECT_THROW(static_cast<void>(parse_override("=3")), std::invalid_argument);
 }
 
+TEST(Reader, PassesEveryRealNumberThroughTheFilterAndNothingElse) {
+  int asked = 0;
+  const Scene scene = read_scene_text(static_scene, "dam.toml", {}, [&](double value) {
+    ++asked;
+    return 2.0 * value;
+  });
+  EXPECT_EQ(scene.geometry->outline[2], Point(4, 6));
+  EXPECT_EQ(scene.mesh.size, 1.0);
+  EXPECT_EQ(scene.mesh.order, 2);  // a whole number
+  EXPECT_EQ(scene.material->youngs_modulus, 50e9);
+  EXPECT_EQ(scene.loads[0].traction, (std::array{0.0, 2e6}));
+  EXPECT_EQ(asked, 8 + 1 + 2 + 2);  // outline, size, material, traction
+}
+
 }  // namespace
 }  // namespace sunder::scene

@@ -1,11 +1,11 @@
 /// How many digits of a polygon's stiffness and mass survive when its vertices move by one unit in the last place.
 
 #include <cmath>
-#include <limits>
 #include <random>
 
 #include "solver/sbfem/polygon_solution.hpp"
 #include "solver/simulation/ledger.hpp"
+#include "verification/harness/digits_trusted.hpp"
 #include "verification/harness/studies/polygon_shape.hpp"
 #include "verification/harness/studies/studies.hpp"
 
@@ -26,19 +26,10 @@ Matrices matrices_of(const ShapedPolygon& polygon) {
   return result;
 }
 
-/// Every coordinate one step down, as it is, or one step up: drawn from the generator's own bits, the same everywhere.
 void jitter(mesh::PolygonMesh& mesh, std::mt19937_64& generator) {
-  constexpr double far = std::numeric_limits<double>::infinity();
   for (mesh::Point& vertex : mesh.vertices) {
-    for (double& coordinate : vertex) {
-      const auto drawn = generator() % 3;
-      if (drawn != 1) coordinate = std::nextafter(coordinate, drawn == 0 ? -far : far);
-    }
+    for (double& coordinate : vertex) coordinate = jittered(coordinate, generator);
   }
-}
-
-double digits(double spread) {
-  return -std::log10(std::fmax(spread, 0.5 * std::numeric_limits<double>::epsilon()));
 }
 
 }  // namespace
@@ -65,8 +56,8 @@ StudyOutput run_jitter(const StudyInput& input) {
     }
     output.summary.quantities["spread_stiffness"] = spread_K;
     output.summary.quantities["spread_mass"] = spread_M;
-    output.summary.quantities["digits_stiffness"] = digits(spread_K);
-    output.summary.quantities["digits_mass"] = digits(spread_M);
+    output.summary.quantities["digits_stiffness"] = decimal_digits(spread_K);
+    output.summary.quantities["digits_mass"] = decimal_digits(spread_M);
   }
   ledger.close(output.summary);
   return output;

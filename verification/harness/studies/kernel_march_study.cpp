@@ -1,6 +1,7 @@
 /// The kernel J0 of the simplest unbounded domain from M * M = G, by schemes that work and schemes that do not.
 
 #include <cmath>
+#include <limits>
 
 #include "solver/simulation/ledger.hpp"
 #include "verification/harness/studies/polygon_shape.hpp"
@@ -41,7 +42,7 @@ double next_linear(Eigen::VectorXd& M, int n, double dt, bool second_kind) {
 /// Piecewise constant M, M_k from step k - 1 to k: Σ M_k M_{n+1-k} Δt = sin t_n. NaN where the first has no real root.
 double next_constant(const Eigen::VectorXd& M, int n, double dt) {
   const double right = std::sin(n * dt) / dt;
-  if (n == 1) return std::sqrt(right);
+  if (n == 1) return right < 0.0 ? std::numeric_limits<double>::quiet_NaN() : std::sqrt(right);
   double known = 0.0;
   for (int k = 2; k < n; ++k) known += M[k] * M[n + 1 - k];
   return 0.5 * (right - known) / M[1];

@@ -2,17 +2,17 @@
 
 #include "solver/crack/crack_path.hpp"
 #include "solver/mesh/mesh_error.hpp"
-#include "solver/scene/reader.hpp"
 #include "solver/scene/scene_error.hpp"
 
 namespace sunder::verification {
 
-StudyOutput run_with_scene(const StudyInput& input, const std::function<results::RunSummary(scene::Scene&)>& run) {
+StudyOutput run_with_scene(const StudyInput& input, const std::function<results::RunSummary(scene::Scene&)>& run,
+                           const scene::NumberFilter& filter) {
   std::vector<scene::Override> overrides;
   for (const auto& [key, value] : input.scene_keys) overrides.push_back({key, value.text});
   StudyOutput output;
   try {
-    scene::Scene scene = scene::read_scene(input.verification_case.scene, overrides);
+    scene::Scene scene = scene::read_scene(input.verification_case.scene, overrides, filter);
     output.summary = run(scene);
   } catch (const scene::SceneError& error) {
     output.refusal = error.what();

@@ -13,6 +13,7 @@ const Studies& studies() {
       {"long-memory", run_long_memory},
 #ifdef SUNDER_HAS_SIMULATION
       {"scene", run_scene},
+      {"scene-jitter", run_scene_jitter},
       {"crack-water-motion", run_crack_water_motion},
       {"polynomial-patch", run_polynomial_patch},
       {"state-transfer", run_state_transfer},

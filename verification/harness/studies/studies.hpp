@@ -8,6 +8,11 @@ namespace sunder::verification {
 /// "scene": reads the scene with the setting's keys in place, runs it, and hands on its summary.
 StudyOutput run_scene(const StudyInput& input);
 
+/// "scene-jitter": the scene as it is and `runs` (30) times with every number of it one unit in the last place up, down
+/// or as it was (samples of records: by the numbers that scale them): the quantities of the plain run, and in the same
+/// shape `spread`, the largest change of each, and `digits`, the decimal digits that it keeps.
+StudyOutput run_scene_jitter(const StudyInput& input);
+
 /// "polynomial-patch": the patch test of order p. Meshes the scene, prescribes every equilibrium polynomial up to the
 /// parameter `degree` (and their sum) on the whole outer boundary and compares with it: displacement_error over all
 /// nodes, reaction_error of the boundary's forces, and of the sum energy_error and stress_error inside every polygon;

@@ -122,7 +122,7 @@ struct March {
       std::swap(start, end);
       state.time = time;
       largest = std::fmax(largest, std::abs(state.displacement[watched]));
-      if (step % 64 == 0 || step == steps)
+      if (first_energy > 0.0 && (step % 64 == 0 || step == steps))
         drift = std::fmax(drift, std::abs(energy(chain, state) / first_energy - 1.0));
     }
     ledger.count("steps", steps);

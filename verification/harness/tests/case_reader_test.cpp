@@ -97,6 +97,11 @@ TEST(CaseReader, NamesFileLineAndKeyOfWhatIsWrong) {
        replaced(replaced(whole, "\"exact\"", "\"published\""), "uncertainty = 0", "uncertainty = \"0.5 %\""),
        ":17: check.tolerance", "uncertainty"},
       {"checks nothing", plain_head + exact_two, ":1: check", "at least one check that gates"},
+      {"a product without end",
+       whole +
+           "[sweep]\ncombine = \"product\"\nkeys = { a = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10], b = [1, 2, 3, 4, 5, 6, 7, 8, "
+           "9, 10], c = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10], d = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10], e = [1, 2] }\n",
+       "sweep.keys", "at most 10000 settings"},
       {"two of a name", whole + check_two, ":24: check.name", "taken"},
       {"negative of no check", whole + "[[negative]]\nfault = \"f\"\nchecks = [\"other\"]\n", ":24: negative.checks",
        "other"},

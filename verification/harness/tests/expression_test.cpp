@@ -67,5 +67,13 @@ TEST(Expression, SaysWhatItMisses) {
   EXPECT_NE(complaint("1 2").find("operator"), std::string::npos);
 }
 
+TEST(Expression, RefusesWhatWouldExhaustTheStack) {
+  for (const char* level : {"(", "-", "2^", "abs("}) {
+    std::string text;
+    for (int i = 0; i < 100'000; ++i) text += level;
+    EXPECT_NE(complaint(text).find("less than 200 levels"), std::string::npos) << level;
+  }
+}
+
 }  // namespace
 }  // namespace sunder::verification

@@ -102,6 +102,13 @@ TEST(Record, FollowsItsSchema) {
 TEST(Record, RejectsOtherLines) {
   EXPECT_THROW(static_cast<void>(from_json("{\"id\": 3}")), std::runtime_error);
   EXPECT_THROW(static_cast<void>(from_json("nonsense")), std::runtime_error);
+  const std::string sound = to_json(full_result(), environment(2, "abc")), version = "\"version\":";
+  for (const char* other : {"1.5", "1e300", "99999999999"}) {
+    std::string line = sound;
+    const std::size_t at = line.find(version) + version.size();
+    line.replace(at, line.find(',', at) - at, other);
+    EXPECT_THROW(static_cast<void>(from_json(line)), std::runtime_error) << other;
+  }
 }
 
 TEST(Record, IsAppendedLineByLine) {

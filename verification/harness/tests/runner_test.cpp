@@ -310,5 +310,19 @@ TEST(Ladder, IsBrokenBySilentErrorsAndUnnamedRefusals) {
   EXPECT_EQ(unnamed.status, Status::refused);
 }
 
+TEST(Runner, NoticesBitsThatDependOnThreads) {
+  const Study steady = answering(2.0);
+  const Study shaky = [](const StudyInput& input) {
+    StudyOutput output;
+    output.summary.quantities["answer"] = std::nextafter(2.0, 2.0 + (input.threads - 1));
+    return output;
+  };
+  EXPECT_EQ(run(whole, steady, {.other_threads = 2}).status, Status::pass);
+  EXPECT_EQ(run(whole, shaky).status, Status::pass);
+  const CaseResult found = run(whole, shaky, {.other_threads = 2});
+  EXPECT_EQ(found.status, Status::broken_invariant);
+  EXPECT_NE(found.settings[0].message.find("2 threads give other bits than 1"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace sunder::verification
