@@ -103,8 +103,8 @@ def self_test(arguments, known):
         plain = counting.whole(arguments.programs, name)
         padded = counting.instructions(arguments.programs, name, size, padding=1111)
         slowed = counting.instructions(arguments.programs, name, size, extra=plain["instructions"] // 100)
-        same = all(plain[kind] == value for kind, value in padded.items())
-        quiet = not limits.excesses(known, name, plain)
+        same = plain["instructions"] == padded["instructions"]  # the stack's place moves a few cache misses
+        quiet = not limits.excesses(known, name, plain) and not limits.excesses(known, name, plain | padded)
         seen = [str(excess) for excess in limits.excesses(known, name, plain | slowed) if excess.kind == "instructions"]
         failed |= not (same and quiet and seen)
         print(f"{name}: {'the same count' if same else f'OTHER COUNTS: {plain} {padded}'} with another environment, "
