@@ -13,12 +13,15 @@
 #include <map>
 #include <string>
 
+#include "benchmarks/scene_runs.hpp"
 #include "solver/scene/reader.hpp"
 #include "solver/simulation/run.hpp"
 
 namespace {
 
 using namespace sunder;
+using benchmarks::number;
+using benchmarks::put_on_rock;
 
 /// What stands in a line of the list.
 struct Parts {
@@ -36,19 +39,8 @@ scene::Scene dam_with(const Parts& parts) {
   if (parts.water_in_crack && !parts.moves) scene.crack_water->model = scene::CrackWaterModel::uniform;
   if (!parts.growth) scene.propagation.reset();
   if (!parts.rock) return scene;
-  scene.supports.clear();
-  scene.foundation = scene::Foundation{.boundary = "base",
-                                       .youngs_modulus = 25e9,
-                                       .poisson_ratio = 0.2,
-                                       .density = 2450.0,
-                                       .half_width = {},
-                                       .near_field = {}};
+  put_on_rock(scene);
   return scene;
-}
-
-double number(const results::RunSummary& summary, const char* path) {
-  const results::Quantity* quantity = summary.quantities.find(path);
-  return quantity != nullptr && quantity->number() != nullptr ? *quantity->number() : NAN;
 }
 
 double count(const results::RunSummary& summary, const char* name) {

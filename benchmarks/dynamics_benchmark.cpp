@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <string>
 
+#include "benchmarks/scene_runs.hpp"
 #include "solver/numerics/tests/allocation_count.hpp"
 #include "solver/sbfem/assembly.hpp"
 #include "solver/scene/reader.hpp"
@@ -20,6 +21,8 @@
 namespace {
 
 using namespace sunder;
+using benchmarks::number;
+using benchmarks::put_on_rock;
 using namespace sunder::simulation;
 using Eigen::VectorXd;
 
@@ -160,11 +163,6 @@ void energy_of_a_step(benchmark::State& state) {
   benchmark::DoNotOptimize(&energy);
 }
 
-double number(const results::RunSummary& summary, const char* path) {
-  const results::Quantity* quantity = summary.quantities.find(path);
-  return quantity != nullptr && quantity->number() != nullptr ? *quantity->number() : NAN;
-}
-
 /// Ten seconds of shaking. `peak` [m] of the crest, to `tolerance` of itself. The first run fills the cache of the
 /// rock.
 void koyna_run(benchmark::State& state, const scene::Scene& scene, double peak, double tolerance) {
@@ -199,13 +197,7 @@ scene::Scene ten_seconds(const std::string& water) {
 }
 scene::Scene ten_seconds_on_rock() {
   scene::Scene scene = ten_seconds("compressible");
-  scene.supports.clear();
-  scene.foundation = scene::Foundation{.boundary = "base",
-                                       .youngs_modulus = 25e9,
-                                       .poisson_ratio = 0.2,
-                                       .density = 2450.0,
-                                       .half_width = {},
-                                       .near_field = {}};
+  put_on_rock(scene);
   return scene;
 }
 

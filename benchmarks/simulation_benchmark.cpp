@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "benchmarks/scene_runs.hpp"
 #include "solver/mesh/dual.hpp"
 #include "solver/mesh/triangulation.hpp"
 #include "solver/simulation/run.hpp"
@@ -18,11 +19,7 @@
 namespace {
 
 using namespace sunder;
-
-double number(const results::RunSummary& summary, const char* path) {
-  const results::Quantity* quantity = summary.quantities.find(path);
-  return quantity != nullptr && quantity->number() != nullptr ? *quantity->number() : NAN;
-}
+using benchmarks::number;
 
 using Check = bool (*)(const scene::Scene&, const results::RunSummary&);
 

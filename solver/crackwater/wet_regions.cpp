@@ -6,9 +6,11 @@
 
 #include "solver/crackwater/pressure_profile.hpp"
 #include "solver/crackwater/segment_pieces.hpp"
+#include "solver/numerics/planted_fault.hpp"
 
 namespace sunder::crackwater {
 
+using numerics::planted_fault;
 using numerics::Residual;
 
 namespace {
@@ -167,9 +169,10 @@ void PressureSolver::solve_general() {
     const auto minimum_of = [&](double c) { return lowest(start_of(c), start_pressure, c); };
     if (!at_mouth && !at_end) {
       const auto positive = [](const Minimum& minimum) { return minimum.residual.value >= -minimum.residual.floor; };
-      // An island too small to press, or one on a slope squeezed so little that its weight alone exceeds what friction
-      // can bear up, whatever the flux: no pressure, on behind it.
-      if (positive(lowest(bound, 0.0, upper)) || (table_.inclined() && !positive(minimum_of(lower)))) {
+      // An island too small to press; or, on a slope, water that what comes down cannot press, whatever the flux: the
+      // slope's head would have to stand there, which a front between nodes cannot say. No pressure, on behind it.
+      const bool unpressed = table_.inclined() && !planted_fault("crackwater/foot-of-a-slope-pressed");
+      if (positive(lowest(bound, 0.0, upper)) || (unpressed && !positive(minimum_of(lower)))) {
         if (bound.segment + 1 >= n) return;
         from = rise_to({bound.segment + 1, -1.0}, end, upper);
         previous = upper;
